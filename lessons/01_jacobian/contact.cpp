@@ -96,8 +96,12 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
   canvas.mark(p2, renderer::Mark::disc, palette::error, 10);
   const renderer::TextStyle name{.size = 20, .colour = palette::muted, .halo = 3};
   canvas.text(at.plank.position - 0.6 * length * at.along_plank(), "body 1", name);
-  canvas.text(at.box.position + rotate(at.box.rotation, Linear<PlaneBody>(0.12 * length, 0.14 * length)), "body 2",
-              name);
+  canvas.text(at.box.position + length * Linear<PlaneBody>(0.13, 0.18), "body 2", name);
+  const Point along = at.along_plank();
+  canvas.text(0.5 * (at.plank.position + p1) + length * (0.045 * along - 0.035 * n), "r_1", name);
+  canvas.text(0.5 * (at.box.position + p2) - 0.05 * length * along, "r_2", name);
+  canvas.text(p2 + length * (0.12 * along - 0.03 * n), "P_1, P_2",
+              {.size = 20, .colour = palette::error, .halo = 3});
 }
 
 }  // namespace
@@ -133,18 +137,19 @@ void contact(course::Page& page, const Settings& set) {
       R"(*Which way does the normal point?* From body 1 to body 2. Then JV > 0 means that they separate, C < 0 that
       they overlap, and the push that keeps them apart has λ ≥ 0. Number the bodies the other way round and reverse
       n as well, and every arrow stays on its body. Forget to reverse n and the whole row changes sign: the solver then
-      pulls overlapping bodies together. A rod does not need this care; a contact does.)");
+      takes an overlap for a gap and holds the bodies together when they separate. A rod does not need this care; a contact does.)");
 
   const Dropped dropped = dropped_term(set, step);
   const double w1 = at.V1[2];
   page.text(
       R"(*What is left out?* C is a product of two factors that change, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is (15),
       and (P₂ − P₁)·ṅ, which is dropped. When is that allowed? ṅ is perpendicular to n, so a gap or an overlap along n
-      adds nothing. The turning normal only counts where P₂ lies *beside* P₁, at ω₁ times the offset. Contact points
+      adds nothing. The turning of the normal matters only if P₂ is offset sideways from P₁; it then adds ω₁ times that offset. Contact points
       are chosen opposite each other, and there the dropped term is zero.)");
   if (std::abs(w1) > 1e-6 * set.speed / length)
-    page.text("Here the plank turns at @ rad/s: for each millimetre beside P₁, (15) leaves out @ mm/s.",
-              course::Value(w1, 3), course::Value(dropped.slope, 3));
+    page.text(
+        "Here the plank turns at @ rad/s: for each millimetre of offset, the true Ċ differs by @ mm/s from (15).",
+        course::Value(w1, 3), course::Value(dropped.slope, 3));
   else
     page.text("Here the plank does not turn, so (15) leaves out nothing wherever P₂ lies.");
   page.text(

@@ -15,7 +15,6 @@ namespace {
 
 /// J without a derivation: a dual number δ moves the bodies in one of the 2 dof ways after the other, and C(x + δ)
 /// holds that way's column.
-//! [gradient]
 template <class M, class Kind>
 auto gradient(const Kind& constraint, const Pose<M>& pose1, const Pose<M>& pose2) {
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
@@ -30,7 +29,6 @@ auto gradient(const Kind& constraint, const Pose<M>& pose1, const Pose<M>& pose2
   }
   return J;
 }
-//! [gradient]
 
 /// Numbers in [−1, 1), the same in every run.
 class Random {
@@ -132,28 +130,26 @@ void dual_numbers(course::Page& page, const Settings& set) {
       R"(Differences have two errors: a large step misses the curvature of C, and a small one drowns in rounding. But a
       program can be differentiated to the last digit. Give every number a second part, its derivative, (a, a′), and
       let + and × follow the rules of differentiation: (a, a′)(b, b′) = (ab, a′b + ab′). These are dual numbers. Fed
-      with them, the line of code that computes C returns J as well.)");
-  page.excerpt("lessons/01_jacobian/dual_numbers.cpp", "gradient");
+      with them, the line of code that computes C returns J as well (`gradient` in lessons/01_jacobian/dual_numbers.cpp).)");
   const Accuracy all = accuracy(pair);
-  page.figure("accuracy",
-              "The error of differences of C, over their step. The dashed line is the error of dual numbers.",
+  page.figure("accuracy", "The error of differences of C against their step. Dotted: the error of dual numbers.",
               all.chart);
   const bool rounding_only = all.dual <= 1e-12 * (1 + std::abs(pair.rate()));
   page.text(
-      R"(With its best step the one-sided difference has an error of @ m²/s and the centred one of @ m²/s. The error
-      of the dual number is @.)",
+      R"(With its best step the one-sided difference has an error of @ m²/s and the centred one of @ m²/s. @)",
       course::small_error(all.best_one_sided), course::small_error(all.best_centred),
-      rounding_only ? std::string("rounding alone") : course::say("@ m²/s", course::small_error(all.dual)));
+      rounding_only ? std::string("The dual number's error is rounding alone; it has no step to choose.")
+                    : course::say("The error of the dual number is @ m²/s.", course::small_error(all.dual)));
   constexpr int draws = 200;
   page.text(
       R"(So why derive by hand? (14) is four short expressions, cheap to compute, and it shows what no table of numbers
       can: what they mean and when they vanish. Dual numbers are the check. Below they check the J of five kinds of
-      constraint at @ random poses, in all four models.)",
+      constraint at @ random poses, for particles and bodies, in the plane and in space.)",
       draws);
   const double tolerance = 100 * std::numeric_limits<double>::epsilon();
   const auto claim = [&](const char* model, double difference) {
     page.claim(course::say("J by hand against dual numbers, @, relative", model), difference, "1",
-               is(tolerance, "some hundred roundings", course::at_most()));
+               is(tolerance, "a few hundred roundings", course::at_most()));
   };
   claim("particles in the plane", largest_difference<PlaneParticle>(set.length, draws));
   claim("bodies in the plane", largest_difference<PlaneBody>(set.length, draws));

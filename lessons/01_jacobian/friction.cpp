@@ -64,12 +64,14 @@ void draw_sliding(renderer::Canvas& canvas, const Settings& set) {
     const char* name;
     renderer::Colour colour;
   };
-  // l₂ and n at the corner, a₂ at the centre; a₂ is a length, drawn at the scale of r₂.
+  // n and the tangents at the corner, l₂ and a₂ at the centre; a₂ is a length, drawn at the scale of r₂.
   const Point3 corner(0, 0, shaft), centre = at.box.position;
   const auto a2 = [&](int row) { return Point3(at.rows().a2().row(row)); };
   std::vector<Named> arrows = {
-      {corner, 0.4 * length * at.friction.tangents.col(0), "l_2 = t_1", palette::constraint},
-      {corner, 0.4 * length * at.friction.tangents.col(1), "l_2 = t_2", palette::constraint},
+      {centre, 0.3 * length * at.friction.tangents.col(0), "l_2 = t_1", palette::constraint},
+      {centre, 0.3 * length * at.friction.tangents.col(1), "l_2 = t_2", palette::constraint},
+      {corner, 0.3 * length * at.friction.tangents.col(0), "t_1", palette::ink},
+      {corner, 0.3 * length * at.friction.tangents.col(1), "t_2", palette::ink},
       {corner, 0.3 * length * normal, "n", palette::ink},
       {centre, a2(0), "a_2 = r_2 × t_1", palette::constraint},
       {centre, a2(1), "a_2 = r_2 × t_2", palette::constraint}};
@@ -101,21 +103,21 @@ void friction(course::Page& page, const Settings& set) {
       Replace n in (15) by a tangent t.)");
   page.equation(16);
   page.text(
-      R"(In the plane there is one tangent, in space there are two, and so two rows. Here a box slides@ on a floor
+      R"(In the plane there is one tangent direction; in space a surface has a whole plane of them. Pick any two at right
+      angles, t₁ and t₂: two rows. Here a box slides@ on a floor
       and touches it with one corner. Its l₂ are the tangents, its a₂ their moments about the centre:)",
       set.spin() != 0 ? " and spins" : "");
   page.formula("t₁: l₂ = @, a₂ = @", R"(t_1:\; l_2 = @,\; a_2 = @)", shown(J.l2().row(0)), shown(J.a2().row(0)));
   page.formula("t₂: l₂ = @, a₂ = @", R"(t_2:\; l_2 = @,\; a_2 = @)", shown(J.l2().row(1)), shown(J.a2().row(1)));
-  page.figure(
-      "friction",
-      R"(A corner that slides: two tangents span the floor, and the slip is measured along both. l₂ acts at the
-              corner, a₂ about the centre.)",
-      [=](renderer::Canvas& canvas) { draw_sliding(canvas, set); });
+  page.figure("friction",
+              R"(t₁ and t₂ span the floor. As in step 5, l₂ is drawn at
+              the centre and a₂ about it.)",
+              [=](renderer::Canvas& canvas) { draw_sliding(canvas, set); });
   const Rows<2> slip = dot(J, at.still, at.V);
   const double step = 1e-4 / (1 + std::abs(set.spin()));
   const Rows<2> measured = (at.slip(step) - at.slip(-step)) / (2 * step);
   page.text(
-      R"(The slip along t₁ and t₂ is JV = @ m/s. Any two perpendicular tangents will do. Turn them about n and both
+      R"(The slip along t₁ and t₂ is JV = @ m/s. Turn the tangents about n and both
       numbers change, but not the length of the pair. If each axis has a bound of its own, friction depends on that
       choice; lesson 7 shows what that does to a slide.)",
       course::without_rounding(slip));

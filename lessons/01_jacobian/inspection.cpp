@@ -106,7 +106,9 @@ void draw_field(renderer::Canvas& canvas, double length) {
       bob.position = radius * length * Point(std::cos(at), std::sin(at));
       const double C = rod.value<double>(anchor, bob)[0];
       canvas.vector(bob.position, rod.jacobian(anchor, bob).l2().transpose(), kind);
-      const renderer::Colour inside = radius == 1.0 ? palette::body : palette::diverging(C > 0 ? 0.7 : -0.7);
+      const renderer::Colour inside = radius == 1.0 ? palette::body
+                                      : C > 0       ? palette::diverging(0.7)
+                                                    : palette::paper;  // blue is for J
       canvas.disc(bob.position, 7 / canvas.camera().scale, {inside, {palette::ink, 1.2}});
     }
   canvas.anchor({0, 0});
@@ -117,7 +119,7 @@ void draw_field(renderer::Canvas& canvas, double length) {
   canvas.text({56, 640}, "too long, C > 0", style);
   canvas.mark({40, 604}, renderer::Mark::disc, palette::body, 13);
   canvas.text({56, 604}, "on the circle, C = 0", style);
-  canvas.mark({40, 568}, renderer::Mark::disc, palette::diverging(-0.7), 13);
+  canvas.disc({40, 568}, 6.5, {palette::paper, {palette::ink, 1.2}});
   canvas.text({56, 568}, "too short, C < 0", style);
   canvas.look(field);
   canvas.arrow_key({40, 520}, kind, "l_2 = d,");
@@ -145,7 +147,7 @@ void inspection(course::Page& page, const Settings& set) {
   const Linear<PlaneBody> sides = box_sides(set);
 
   page.text(
-      R"(The last step is to look. In (13) every velocity has a coefficient of its own. The coefficients, in the order
+      R"(The last step is inspection. In (13) every velocity has a coefficient of its own. The coefficients, in the order
       of V, are the four parts of J. For the two boxes:)");
   page.equation(14, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
                 vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
@@ -160,22 +162,19 @@ void inspection(course::Page& page, const Settings& set) {
         R"(\dot C = -d \cdot v_1 - (r_1 \times d) \cdot \omega_1 + d \cdot v_2 + (r_2 \times d) \cdot \omega_2)"},
        {"compare with (8)", "l₁ = −d, a₁ = −r₁ × d, l₂ = d, a₂ = r₂ × d",
         R"(l_1 = -d,\; a_1 = -r_1 \times d,\; l_2 = d,\; a_2 = r_2 \times d)"}});
-  // J's arrow on a bob of a rod with this pair's error, and the way out from the anchor.
+  // J's arrow on a bob of a rod that is too short, and the way out from the anchor.
   const Distance<PlaneParticle> rod{{0, 1}, length};
   Pose<PlaneParticle> anchor, bob;
-  bob.position = (length + set.stretch) * Linear<PlaneParticle>(0.6, -0.8);
-  const double C = course::without_rounding(rod.value<double>(anchor, bob)[0], length * length),
-               out = rod.jacobian(anchor, bob).l2().dot(bob.position);
+  bob.position = 0.95 * length * Linear<PlaneParticle>(0.6, -0.8);
+  const double C = rod.value<double>(anchor, bob)[0], out = rod.jacobian(anchor, bob).l2().dot(bob.position);
   const char *towards = "J is the gradient of C, so it points where C grows; nearer to the anchor C is smaller.",
              *away = R"(J is the gradient of C. Farther from the anchor C is larger, whether the rod is too long or
-                     too short.)";
+                     too short; λ decides whether to push or pull.)";
   page.choose(
-      {.ask = course::say(R"(A rod from an anchor to a bob @: C = @ m². Draw l₂ as an arrow at the bob. Does it
+      {.ask = course::say(
+           R"(A rod from an anchor to a bob is too *short*: C = @ m². Draw l₂ as an arrow at the bob. Does it
                                  point to the anchor or away from it?)",
-                          C > 0   ? "is too long"
-                          : C < 0 ? "is too short"
-                                  : "has the right length",
-                          C),
+           C),
        .options = {{"to the anchor", towards},
                    {"away from the anchor", away},
                    {"that depends on the sign of C", "(14) contains neither C nor L, only d."}},
@@ -196,7 +195,7 @@ void inspection(course::Page& page, const Settings& set) {
 
   page.text(
       R"(A row can be drawn on its bodies: l is an arrow at the body's centre, a is a curved arrow around it.
-      The two arrows are equal and opposite.)");
+      The two straight arrows are equal and opposite; the curved ones need not be.)");
   page.figure(
       "row", "The four parts of J, drawn on the bodies that they belong to.", [=](renderer::Canvas& canvas) {
         canvas.look(renderer::fit({-0.75 * length, -0.65 * length, 3.3 * length + 1.6 * stretch, 1.5 * length},
@@ -218,7 +217,7 @@ void inspection(course::Page& page, const Settings& set) {
   page.figure("field", "J's arrow on the bob points where C grows: outwards, even where the rod is too short.",
               [=](renderer::Canvas& canvas) { draw_field(canvas, length); });
   page.text(
-      R"(Move both bodies along J by a small ε and C grows by |J|²ε. J does not say whether C has to grow or to shrink:
+      R"(Move both bodies by a small ε along their l, without turning them, and C grows by 2|d|ε. J does not say whether C has to grow or to shrink:
       the sign of λ decides that (lesson 2).
 
       *The article says that J "always points towards the target". That is true only where C is negative.*)");
@@ -229,17 +228,16 @@ void inspection(course::Page& page, const Settings& set) {
       the one before, and says which is wrong and why. `./lessons/run desk --tasks` lists eleven more, from a pin to
       a screw.)");
 
-  Pair along = pair;  // both bodies moving along J
-  along.V1 = row.head<3>().transpose();
-  along.V2 = row.tail<3>().transpose();
-  const double along_step = step / (1 + row.norm());
+  Pair along = pair;  // both bodies moving along their l at 1 m/s
+  along.V1 << J.l1().transpose().normalized(), 0;
+  along.V2 << J.l2().transpose().normalized(), 0;
   page.claim("six probes against (14), largest difference over |J|",
              (by_probe - row).cwiseAbs().maxCoeff() / row.norm(), "1",
              is(probe_tolerance(pair, step) / row.norm(), "step²/6 · bound on the third derivative, and rounding",
                 course::at_most()));
   page.claim(
-      "Ċ when both bodies move along J", difference(along, along_step), "m⁴/s",
-      is(row.squaredNorm(), "|J|² > 0: C grows there", course::absolute(difference_tolerance(along, along_step))));
+      "Ċ when both bodies move along their l at 1 m/s", difference(along, step), "m²/s",
+      is(2 * pair.d().norm(), "2|d| > 0: C grows there", course::absolute(difference_tolerance(along, step))));
 }
 
 }  // namespace byhand::lesson01

@@ -83,9 +83,9 @@ void linkage(course::Page& page, const Settings& set) {
   const int links = set.links;
   const double zeros = double((J.array() == 0).count()) / double(J.size());
   page.text(
-      R"(Now pin @ links end to end. A pin is two constraints, so there are @ rows, and the bodies together have @
-      components of velocity: a matrix of @ numbers.)",
-      links, J.rows(), J.cols(), J.size());
+      R"(Now hang up a chain of @ links: @ pins, one of them to a fixed point. A pin is two constraints, so there are @
+      rows, and the bodies together have @ components of velocity: a matrix of @ numbers.)",
+      links, J.rows() / 2, J.rows(), J.cols(), J.size());
   const int chosen = links / 2;
   page.figure(
       "linkage",

@@ -35,13 +35,15 @@ void one_row(course::Page& page, const Settings& set) {
       So Ċ is a sum: each component of velocity times a number that says how much C depends on it. Put the velocities
       in a column V = (v₁, ω₁, v₂, ω₂) and the numbers, in the same order, in a row J: the sum is their product.)");
   page.equation(4);
+  page.text("(4) says two things. Ċ = JV is true of every motion; = 0 is what the constraint demands of it.");
+
   page.derivation(
       "Ċ = JV, by the chain rule",
-      {{"C depends on time through the poses q₁, …, q₆ of both bodies (x, y and angle of each)",
+      {{"C depends on time through six coordinates q₁, …, q₆ (x, y and angle of each body)",
         "C = C(q₁(t), …, q₆(t))", R"(C = C(q_1(t), \dots, q_6(t)))"},
        {"the chain rule", "Ċ = ∂C/∂q₁ · q̇₁ + … + ∂C/∂q₆ · q̇₆",
         R"(\dot C = \frac{\partial C}{\partial q_1}\,\dot q_1 + \dots + \frac{\partial C}{\partial q_6}\,\dot q_6)"},
-       {"the rates of the poses are the velocities", "(q̇₁, …, q̇₆) = V = (v₁, ω₁, v₂, ω₂)",
+       {"the rates of the coordinates are the velocities", "(q̇₁, …, q̇₆) = V = (v₁, ω₁, v₂, ω₂)",
         R"((\dot q_1, \dots, \dot q_6) = V = (v_1, \omega_1, v_2, \omega_2))"},
        {"the slopes, in the same order, are the row J", "Ċ = JV", R"(\dot C = JV)"}});
   page.text(
@@ -49,6 +51,7 @@ void one_row(course::Page& page, const Settings& set) {
       parts, which the article calls l₁, a₁, l₂, a₂. (In (1) the same letters meant positions and angles. From here
       on they are the parts of J.))");
   page.equation(6);
+  page.text("(The article writes the four parts below one another in (6); it means the row of (7).)");
   page.equation(7);
   page.text(
       R"(Multiplied out, a row times a column is four dot products. In the plane ω and a are single numbers.)");
@@ -59,8 +62,8 @@ void one_row(course::Page& page, const Settings& set) {
   const double rate = slope.dot(v), step = 1e-3 * length / speed;
   page.predict(
       {.ask =
-           course::say(R"(A bob on a rod whose other end is fixed. Move the bob at 1 m/s along x and C changes by @
-                         m²/s; at 1 m/s along y it changes by @ m²/s. Now it moves at (@, @) m/s. How large is
+           course::say(R"(A bob on a rod whose other end is fixed. Move the bob at 1 m/s along x and C changes at @
+                         m²/s; at 1 m/s along y it changes at @ m²/s. Now it moves at (@, @) m/s. How large is
                          Ċ?)",
                        slope.x(), slope.y(), speed, speed),
        .answer = rate,
@@ -74,13 +77,12 @@ void one_row(course::Page& page, const Settings& set) {
        .right = R"(The two measured rates are the part l₂ of the row. Once J is known, every motion's Ċ is a sum of
                 products.)"});
   page.text(
-      R"(The same row also leads back. J says how velocities change C; as a column, Jᵀ says in which directions to push
-      the bodies to change C, and one number λ says how hard:)");
+      R"(The same row also works in the other direction. J says how velocities change C; as a column, Jᵀ says in which directions to push
+      the bodies to change C, and one number λ says how hard; the article prints this earlier:)");
   page.equation(5);
   page.text(
       R"(So λl₁ pushes body 1 and λa₁ turns it; λl₂ and λa₂ do the same to body 2. Lesson 2 asks how large λ must be.
-      *The article calls Jᵀ "the inverse" of J; a row has no inverse, and the last deeper part of this lesson says
-      what Jᵀ is. First we have to find J.*)");
+      *The article calls Jᵀ "the inverse" of J; a row has no inverse, and 7f says what Jᵀ is. First we have to find J.*)");
 
   const Pair pair = pair_of(set);
   const double speeds = pair.V1.norm() + pair.V2.norm();

@@ -39,8 +39,9 @@ void draw_discs(renderer::Canvas& canvas, const Discs& at, double length) {
   // C beside the arms' tips, whose arrow heads it would cover.
   const Point shift = 0.05 * length * -aside;
   for (const Point& tip : {p1, p2}) canvas.line(tip, tip + 1.3 * shift, {palette::muted, 1.3});
+  const Point beside = 0.015 * length * aside;  // both arms lie on one line
   canvas.arrow(x1, p1, {palette::ink, 3});
-  canvas.arrow(x2, p2, {palette::ink, 3});
+  canvas.arrow(x2 + beside, p2 + beside, {palette::ink, 3});
   canvas.line(p1 + shift, p2 + shift, {palette::error, 6});
   const renderer::TextStyle style{.size = 20, .halo = 3};
   renderer::TextStyle red = style;
@@ -52,11 +53,10 @@ void draw_discs(renderer::Canvas& canvas, const Discs& at, double length) {
   canvas.text(x2 + 0.05 * length * n, "x_2", style);
   canvas.text(x1 + 0.5 * at.radius1 * n + 0.05 * length * aside, "r_1", style);
   canvas.text(x2 - 0.55 * at.radius2 * n + 0.05 * length * aside, "r_2", style);
-  canvas.arrow(x2 + at.radius2 * n, x2 + (at.radius2 + 0.16 * length) * n, {palette::constraint, 3});
-  renderer::TextStyle blue = style;
-  blue.colour = palette::constraint;
-  canvas.text(x2 + (at.radius2 + 0.2 * length) * n, "n", blue);
-  canvas.text((p1 + p2) / 2 - 0.25 * length * aside, course::say("C = @ m", course::Value(at.value(), 3)), red);
+  canvas.arrow(x2 + at.radius2 * n, x2 + (at.radius2 + 0.16 * length) * n, {palette::ink, 3});
+
+  canvas.text(x2 + (at.radius2 + 0.2 * length) * n, "n", style);
+  canvas.text((p1 + p2) / 2 - 0.09 * length * aside, course::say("C = @ m", course::Value(at.value(), 3)), red);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ void separation(course::Page& page, const Settings& set) {
   page.text(
       R"(That is P₂ − P₁ along n: a length in metres, negative where the bodies overlap; the article's
       "inter-penetration depth" is −C. With n held still its rate is JV of (15). Two discs check it: their gap is the
-      distance between the centres less both radii.)");
+      distance between the centres minus both radii.)");
   page.figure("discs", "Two discs overlap. C is the short stretch between the tips of both arms, counted along n.",
               [=](renderer::Canvas& canvas) { draw_discs(canvas, at, length); });
   const auto& arms = at.contact.at.arms;
@@ -84,12 +84,13 @@ void separation(course::Page& page, const Settings& set) {
       R"(The arms have to be in the world's frame. These discs have turned; with arms as they are stored, in the bodies'
       own frames, (23) would give @ m.)",
       literal);
-  page.claim("C of (23) for two overlapping discs", at.value(), "m",
-             is(distance - at.radius1 - at.radius2, "distance less both radii", course::absolute(4e-15 * length)));
+  page.claim(
+      "C of (23) for two overlapping discs", at.value(), "m",
+      is(distance - at.radius1 - at.radius2, "distance minus both radii", course::absolute(4e-15 * length)));
   const double apart = 0.8 * length;
   const Discs gap = discs(length, apart);
   page.claim("C of two discs that are apart", gap.value(), "m",
-             is(apart - gap.radius1 - gap.radius2, "distance less both radii", course::absolute(4e-15 * length)));
+             is(apart - gap.radius1 - gap.radius2, "distance minus both radii", course::absolute(4e-15 * length)));
 }
 
 }  // namespace byhand::lesson01

@@ -40,19 +40,19 @@ void slopes(course::Page& page, const Settings& set) {
        .answer = factor,
        .unit = "1",
        .tolerance = 0.2,
-       .wrong = {{2, "J already takes away the first-order part; the rest is of second order."},
+       .wrong = {{2, "J already takes away the first-order part; the remainder is of second order."},
                  {8, "That would be third order: C of (2) is a square, its second derivative is not zero."},
-                 {1, "Then the rest would not depend on h at all."}},
+                 {1, "Then the remainder would not depend on h at all."}},
        .hints = {"Which power of h is left without the first?", "C of (2) after the step: ½(d + hv)² − ½L².",
                  "½(d + hv)² − ½d² = h d·v + ½h²v²; the first term is h·JV."},
        .hinted = 4,
-       .right = course::say("The rest is exactly ½h²v², here @ m²: half the step, a quarter of it.", exact)});
+       .right = course::say("The remainder is exactly ½h²v², here @ m²: half the step, a quarter of it.", exact)});
   const double first_order = 2 * J.matrix(0, 5) * pair.V2[2];
   page.text(
-      R"(For the bob: ½(d + hv)² − ½d² = h d·v + ½h²v². For two boxes the rest is ½h²C̈ and terms of higher
-      order. Now spoil the row: change the sign of a₂, the mistake that d × r would make. The rest gains 2h·a₂ω₂ =
-      @·h, @.)",
-      first_order, first_order != 0 ? "a term of *first* order" : "which is zero, because ω₂ = 0 here");
+      R"(For two boxes the remainder is ½h²C̈ plus terms of higher order. Now spoil the row: change the sign of a₂, the
+      mistake that d × r would make. @)",
+      first_order != 0 ? course::say("The remainder gains 2h·a₂ω₂ = @·h, a term of *first* order.", first_order)
+                       : "The remainder would gain 2h·a₂ω₂, but ω₂ = 0 here and it gains nothing.");
 
   renderer::Curve right{
       .label = "(14), two boxes", .style = renderer::CurveStyle::line_and_markers, .colour = palette::constraint};
@@ -95,8 +95,10 @@ void slopes(course::Page& page, const Settings& set) {
                     of_spoilt = first_order == 0 ? "and the same for the spoilt row, as ω₂ = 0"
                                 : first_order_seen
                                     ? "slope 1 for the row with one wrong sign"
-                                    : "and no slope 1 yet for the spoilt row, as its error 2ha₂ω₂ is "
-                                      "still below ½h²C̈";
+                                    : course::say(
+                                          "and slope 1 for the spoilt row only below h ≈ @ s, where "
+                                          "2h|a₂ω₂| exceeds ½h²|C̈|",
+                                          course::Value(2 * error / std::abs(curvature), 1));
   page.figure(
       "slopes",
       course::say("What J misses of ΔC, for smaller and smaller steps: @, @. Points below rounding are left out.",
@@ -106,14 +108,14 @@ void slopes(course::Page& page, const Settings& set) {
        .curves = {spoilt, right, simple, first, second}});
   page.text(
       R"(This is the cheapest test of a constraint: it needs C and J and nothing else. It finds every wrong entry *that
-      the motion uses*. With ω₂ = 0 a wrong a₂ goes unnoticed@, so test with no component of V zero.)",
+      the motion uses*. With ω₂ = 0 a wrong a₂ goes unnoticed@, so test with a V that has no zero component.)",
       first_order == 0 ? ", as in this run" : " (set `spin` to 0 and the two lines coincide)");
 
   if (second_order) page.measure("slope with (14)", measured_slope, "1");
   if (first_order_seen) page.measure("slope with a₂ of the wrong sign", spoilt_slope, "1");
-  page.claim("rest of the bob at h", at_h, "m²",
+  page.claim("remainder of the bob at h", at_h, "m²",
              is(exact, "½h²v² on paper", course::absolute(1e-12 * exact + rounding(bob, h))));
-  page.claim("rest of the boxes, over h²", left_over(pair, J, small) / (small * small), "m²/s²",
+  page.claim("remainder of the boxes, over h²", left_over(pair, J, small) / (small * small), "m²/s²",
              is(std::abs(curvature) / 2, "½|C̈| from the accelerations of the arms",
                 course::absolute(third * small / 6 + noise / (small * small))));
   page.claim("slope with (14)", measured_slope, "1", is(2, "Taylor", course::absolute(slope_tolerance(share))),

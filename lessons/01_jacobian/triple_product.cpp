@@ -57,7 +57,7 @@ Turning entry_over_direction(double arm, double size) {
                          .range = std::pair{0.0, 360.0},
                          .ticks = {{0, "0"}, {90, "90"}, {180, "180"}, {270, "270"}, {360, "360"}}},
                    .y = {.label = "a₂ (m²)"},
-                   .curves = {entry, probed},
+                   .curves = {probed, entry},
                    .references = {{renderer::Reference::Across::y, 0, ""}}};
   return turning;
 }
@@ -103,14 +103,13 @@ void triple_product(course::Page& page, const Settings& set) {
   page.equation(11);
   page.equation(12);
   page.text(
-      R"(J has the coefficients of the velocities. v₁ and v₂ already have theirs, −d and d. The two ω are still inside a
+      R"(The entries of J are the coefficients of the velocities. v₁ and v₂ already have theirs, −d and d. The two ω are still inside a
       cross product. The scalar triple product takes them out: a·(b × c) is the signed volume that a, b and c span,
-      and it stays the same when the three change places in a cycle.)");
+      and it is unchanged by a cyclic permutation of the three.)");
   page.formula("d·(ω × r) = ω·(r × d)", R"(d \cdot (\omega \times r) = \omega \cdot (r \times d))");
   page.equation(13);
   page.text(
-      R"(Only a cyclic change keeps the sign: r × d and d × r have opposite signs, and that is where most Jacobians
-      derived by hand go wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm, the
+      R"(Swapping two factors flips the sign, r × d = −d × r: a common mistake in Jacobians derived by hand. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm, the
       distance at which the line of d passes the centre.)");
   page.predict(
       {.ask = course::say(
@@ -135,8 +134,8 @@ void triple_product(course::Page& page, const Settings& set) {
       });
   page.text(
       R"(Turn d once round the tip of the arm. At 0° and 180° its line passes through the centre: turning the body does
-      not change C, and a₂ is zero. At right angles to the arm a₂ is largest, @ m². For the dots the body is turned a
-      little and C measured.)",
+      not change C, and a₂ is zero. At right angles to the arm |a₂| is largest, @ m²: positive at 90°, negative at
+      270°. The dots are measured: turn the body a little and see how much C changes.)",
       area);
   page.figure("entry", "a₂ while d turns round the tip of the arm.", turning.chart);
   constexpr int draws = 1000;
@@ -151,7 +150,7 @@ void triple_product(course::Page& page, const Settings& set) {
              is(1e-14 * area, "|r| |d| sin of the angle between them", course::at_most()));
   page.claim(
       "d·(ω × r) − ω·(r × d) in space, relative", mismatch, "1",
-      is(0, "the volume of one and the same box", course::absolute(8 * std::numeric_limits<double>::epsilon())));
+      is(0, "the same parallelepiped's volume", course::absolute(8 * std::numeric_limits<double>::epsilon())));
 }
 
 }  // namespace byhand::lesson01

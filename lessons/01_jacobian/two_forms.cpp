@@ -111,21 +111,27 @@ void two_forms(course::Page& page, const Settings& set) {
       R"(The impulse is the same. λ differs by the factor |d|, here @ m, and in its unit, N·s/m instead of N·s: never
       compare the λ of one form with the λ of the other, or with a bound meant for the other.
 
-      Mixing the forms goes wrong as soon as C is used too. A cure for drift (lesson 4) asks for JV = −(β/h)C, a share
-      β of the error in each step. With C and J of the same form, that is nearly the share removed. With C from (2)
+      Mixing the forms goes wrong as soon as C is used too. Drift correction (lesson 4) demands JV = −(β/h)C, which should remove a share
+      β of the error in each step. With C and J of the same form it nearly does. With C from (2)
       and J from |d| − L, an easy mistake when the article's C meets a normalised row, the share is β·L/(1 m): it
       depends on the unit of length!)",
       length);
   page.excerpt("lessons/01_jacobian/two_forms.cpp", "mixed");
   page.figure(
       "gains",
-      course::say("The share of a stretch that one step removes, for rods of many lengths, at β = @.", set.beta),
+      course::say(
+          R"(Share of a stretch (1 % of L) that one step removes, β = @. The matching pairs lie on β, drawn at alternate
+                  lengths.)",
+          set.beta),
       gains(set));
   const double diverges = 2 / set.beta;
   page.text(
-      R"(On a rod of 1 m nobody would notice, so test with other lengths. At β = @ the mixed rod overshoots from
-      about L = @ m on and diverges from about @ m on.)",
-      set.beta, 1 / set.beta, diverges);
+      "On a rod of 1 m nobody would notice, so test with other lengths. @",
+      set.beta < 1 && diverges <= 16
+          ? course::say("At β = @ the mixed rod overshoots from about L = @ m on and diverges from about @ m on.",
+                        set.beta, 1 / set.beta, diverges)
+          : course::say("The dashed line passes 2, where the mixed rod diverges, at L = 2/β, here @ m.",
+                        diverges));
 
   const auto own = stretches<Distance>(10, set.mass, 0.2, set.h, 20),
              mixed = stretches<Mixed>(12, set.mass, 0.2, set.h, 5);
@@ -135,13 +141,13 @@ void two_forms(course::Page& page, const Settings& set) {
   page.claim("λ of |d| − L over λ of (2)", normalised.lambda / squared.lambda, "m",
              is(length, "|d|", course::relative(1e-14)));
   page.claim("share removed, (2) with (14)", gain<Distance>(length, set), "1",
-             is(squared_on_paper(set.beta), "β(2L + s)/(2(L + s)), s the stretch", course::absolute(1e-11)));
+             is(squared_on_paper(set.beta), "β(2L + s)/(2(L + s)), s = 1 % of L", course::absolute(1e-11)));
   page.claim("share removed, |d| − L with n", gain<NormalisedDistance>(length, set), "1",
              is(set.beta, "β", course::absolute(1e-11)));
   page.claim("share removed, (2) with n", gain<Mixed>(length, set), "1",
              is(mixed_on_paper(set.beta, length), "βL(1 + s/(2L))", course::absolute(1e-11 * (1 + length))));
   page.claim("10 m rod at β = 0.2 after 20 steps, own J: share left", std::abs(own.back() / own.front()), "1",
-             is(std::pow(1 - squared_on_paper(0.2), 20) * (1 + 1e-9), "the first step's share is the least",
+             is(std::pow(1 - squared_on_paper(0.2), 20) * (1 + 1e-9), "the first step removes the smallest share",
                 course::at_most()));
   page.claim("12 m rod at β = 0.2 after 5 steps, mixed: growth", std::abs(mixed.back() / mixed.front()), "1",
              is(1, "β·L > 2 diverges", course::at_least()));

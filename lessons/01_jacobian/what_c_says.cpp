@@ -19,14 +19,14 @@ double value_at(const Point& place, double length, double mass) {
   return scene.all<Distance>()[0].value<double>(scene.bodies().pose[0], scene.bodies().pose[1])[0];
 }
 
-/// Where a hand holds the bob `time` seconds into the sequence: out, back, along the circle, in, back.
+/// Where a hand holds the bob `time` seconds into the sequence: out, back, along the circle, in.
 Point nudged(double time, double length) {
   const auto swing = [&](double from, double to) {
     const double u = std::clamp((time - from) / (to - from), 0.0, 1.0);
     return (1 - std::cos(std::numbers::pi * u)) / 2;
   };
-  const double out = swing(0.2, 0.8) - swing(0.8, 1.4), in = swing(2.6, 3.2) - swing(3.2, 3.8);
-  const double angle = three_four_five - 1.4 * swing(1.4, 2.6), radius = length * (1 + 0.3 * (out - in));
+  const double out = swing(0.6, 1.6) - swing(1.6, 2.2), in = swing(3.2, 4);
+  const double angle = three_four_five - 1.4 * swing(2.2, 3.2), radius = length * (1 + 0.3 * (out - in));
   return radius * from_straight_down<PlaneParticle>(angle);
 }
 
@@ -48,7 +48,7 @@ renderer::Chart landscape(double length, double mass) {
   constexpr int half = 50, cells = 2 * half + 1;  // along an axis
   renderer::HeatMap map{
       .label = "C (m²)", .diverging = true, .range = std::pair{-length * length, length * length}, .square = true};
-  for (int i = 0; i < cells; ++i) map.x.push_back(1.5 * length / half * (i - half));
+  for (int i = 0; i < cells; ++i) map.x.push_back(1.3 * length / half * (i - half));
   map.y = map.x;
   for (const double y : map.y)
     for (const double x : map.x) map.values.push_back(value_at({x, y}, length, mass));
@@ -62,7 +62,7 @@ renderer::Chart landscape(double length, double mass) {
   // The slope under a bob on the circle is d, drawn shorter: a line with a head.
   const Point bob = length * from_straight_down<PlaneParticle>(three_four_five), ahead = 0.5 * bob,
               aside = 0.12 * Point(-ahead.y(), ahead.x()), tip = bob + ahead, neck = bob + 0.78 * ahead;
-  renderer::Curve slope{.label = "slope of C", .colour = renderer::palette::constraint};
+  renderer::Curve slope{.label = "gradient of C", .colour = renderer::palette::constraint};
   for (const Point& p : {bob, tip, Point(neck + aside), tip, Point(neck - aside)}) {
     slope.x.push_back(p.x());
     slope.y.push_back(p.y());
@@ -121,7 +121,7 @@ void what_c_says(course::Page& page, const Settings& set) {
               {"C", "value of the constraint; Ċ is its rate of change", "m² for this rod"},
               {"V", "all velocities in one column: v₁, ω₁, v₂, ω₂", ""},
               {"J", "Jacobian, the row of numbers with Ċ = JV", ""},
-              {"λ", "the impulse along J, up to the length of J", ""},
+              {"λ", "multiplier of Jᵀ: the bodies receive λJᵀ, a force in (5), an impulse from lesson 2 on", ""},
               {"h", "time step", "s"}});
   page.text(
       R"(A constraint is written as one number, C. It is zero when the constraint is satisfied; otherwise it measures
@@ -144,7 +144,7 @@ void what_c_says(course::Page& page, const Settings& set) {
        .tolerance = 0.02 * length * std::max(std::abs(stretch), 1e-3),
        .wrong = {{stretch,
                   "That is the stretch in metres; (2) is half a difference of squares, in square metres."},
-                 {2 * C, "That is d² − L²; the half in front cancels the 2 of the derivative."},
+                 {2 * C, "That is d² − L², without the ½ of (2)."},
                  {-C, "d² comes first: a rod that is too long has C > 0, one that is too short C < 0."}},
        .hints = {"Two lengths matter: the rod's present length and the length it should have.",
                  "(2): C = ½(d² − L²).", course::say("½(@² − @²) = …", far, length)},
@@ -155,7 +155,7 @@ void what_c_says(course::Page& page, const Settings& set) {
                                  and its unit is not the metre.)",
                              first_order, 0.5 * stretch * stretch)});
   page.text(
-      R"(Now move the bob by hand: out, back, along the circle, in, back. Watch C. It changes along the rod, and its
+      R"(In the film a hand moves the bob: out and back, along the circle, and in. Watch C. It changes along the rod, and its
       sign tells too long from too short. It does not change along the circle, where the rod leaves the bob free.)");
   page.sequence(
       "nudge", "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
@@ -177,12 +177,12 @@ void what_c_says(course::Page& page, const Settings& set) {
         renderer::draw(canvas, pictures::grown_to(whole, time), right);
       });
   page.text(
-      R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl, −½L² deep at the anchor, and the
-      rod keeps the bob on one of its contours. This lesson is about the slope of the bowl under the bob.)");
+      R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl whose bottom, at the anchor, is at C = −½L²;
+      the rod keeps the bob on one contour of it, C = 0. This lesson is about the slope of the bowl under the bob.)");
   page.figure(
       "landscape",
       R"(C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0. Arrow: the
-              slope of C under a bob at the end of its rod; it points along the rod. Right: C along that line.)",
+              gradient of C under a bob. Right: C along that line.)",
       [map = landscape(length, mass), along = cut(length, mass)](renderer::Canvas& canvas) {
         const auto [left, right] = canvas.page().inset(12).panels(0.6, 20);
         renderer::draw(canvas, map, left);

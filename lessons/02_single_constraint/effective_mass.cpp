@@ -58,8 +58,8 @@ void effective_mass(const Setting& setting, Page& page) {
                m2 = scene.bodies().inverse_mass[1].linear;
 
   page.text(
-      R"(How hard is it to change JV? With λ = 1 JV changes by JM⁻¹Jᵀ, the number that (17) will divide by. M⁻¹ has
-      the bodies' inverse masses on its diagonal:)");
+      R"(How hard is it to change JV? An impulse λJᵀ changes V by M⁻¹Jᵀλ (impulse over mass), so JV by JM⁻¹Jᵀ·λ. This step
+      computes the factor JM⁻¹Jᵀ. M⁻¹ has the bodies' inverse masses on its diagonal:)");
   page.equation(18);
   page.text(
       R"(No program needs this matrix. A particle has one number, m⁻¹; a body that turns has I⁻¹ as well. So a row
@@ -76,8 +76,8 @@ void effective_mass(const Setting& setting, Page& page) {
   const double product = J * inverse_mass * J.transpose();
   page.figure(
       "no_matrix",
-      say(R"((19) as a product of matrices. The fixed point has an inverse mass of 0, as if it were infinitely
-          heavy. (19) needs @ multiplications, the product of matrices @.)",
+      say(R"((19) for two particles in the plane: rows are v₁ₓ, v₁ᵧ, v₂ₓ, v₂ᵧ. The fixed point has an inverse mass
+          of 0. (19) needs @ multiplications, the product of matrices @.)",
           2 * (PlaneParticle::linear + 1), 4 * 4 + 4),
       [=](Canvas& canvas) { draw_product(canvas, J, inverse_mass, product); });
 

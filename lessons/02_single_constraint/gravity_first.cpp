@@ -7,7 +7,7 @@ namespace {
 std::string held(double degrees) {
   if (degrees == 0) return "straight below the fixed point";
   if (std::abs(degrees) == 180) return "straight above the fixed point";
-  return say("@° from straight down", degrees);
+  return say("at @° from the vertical", degrees);
 }
 
 }  // namespace
@@ -27,14 +27,18 @@ void gravity_first(const Setting& setting, Page& page) {
   page.text(
       R"(Gravity goes into V *before* anything is solved, because the constraint can only cancel what is already in V.
 
-      How fast would the rod change its length with this V? At the rate Ċ = JV (lesson 1). Body 1 is the fixed point,
+      How fast would C change with this V? At Ċ = JV (lesson 1); divided by |d| that is how fast the rod would change its
+      length. Body 1 is the fixed point,
       body 2 the bob. Neither turns, so two parts of the row (14) remain, l₁ = −d and l₂ = d with d = P₂ − P₁ = @ m.
       The fixed point has v₁ = 0.)",
       row.d);
-  page.formula("JV = d·v₂ = @·@ + (@)·(@) = @ m²/s",
-               R"(JV = d\cdot v_2 = @\cdot @ + (@)\cdot(@) = @\ \mathrm{m^2/s})", row.d.x(), row.v2.x(), row.d.y(),
-               row.v2.y(), row.JV);
-  page.excerpt("solver/jacobian.hpp", "8");
+  const auto factor = [](double value) {  // in brackets if negative
+    if (value >= 0) return Value(value);
+    const Formula bracketed = fill("(@)", "(@)", {Value(value)});
+    return Value(bracketed.plain, bracketed.latex);
+  };
+  page.formula("JV = d·v₂ = @·@ + @·@ = @ m²/s", R"(JV = d\cdot v_2 = @\cdot @ + @\cdot @ = @\ \mathrm{m^2/s})",
+               row.d.x(), row.v2.x(), factor(row.d.y()), factor(row.v2.y()), row.JV);
 
   BobPicture picture(scene);
   const double scale = 0.55 * length / gain;
@@ -48,16 +52,16 @@ void gravity_first(const Setting& setting, Page& page) {
           rate == 0 ? ", which is zero here" : ""),
       [picture](Canvas& canvas) { draw(canvas, {picture}); });
   const Quantity growth("JV/|d|", rate, "m/s"), along("cos θ", std::cos(radians(setting.angle())));
-  page.text(
-      "JV is @ m²/s; divided by |d| it is @ m/s. @", row.JV, rate,
-      page.verdict({{.when = growth > 0,
-                     .say = "At this rate the rod would get longer, if nothing acted on the bob.",
-                     .law = along > 0},
-                    {.when = growth < 0,
-                     .say = "At this rate the rod would get shorter, if nothing acted on the bob.",
-                     .law = along < 0},
-                    {.when = growth == 0,
-                     .say = "You let go level with the fixed point, where gravity lies along the tangent."}}));
+  page.text("JV is @ m²/s; divided by |d| it is @ m/s. @", row.JV, rate,
+            page.verdict(
+                {{.when = growth > 0,
+                  .say = "At this rate the rod would get longer if it exerted no force on the bob.",
+                  .law = along > 0},
+                 {.when = growth < 0,
+                  .say = "At this rate the rod would get shorter if it exerted no force on the bob.",
+                  .law = along < 0},
+                 {.when = growth == 0,
+                  .say = "You let go at the height of the fixed point, where gravity lies along the tangent."}}));
 
   page.claim(
       "JV after gravity", OneRow(scene).JV, "m²/s",

@@ -14,22 +14,22 @@ void lambda(const Setting& setting, Page& page) {
       R"(The rod answers with an impulse λJᵀ: λd on the bob and −λd on the fixed point. How large is λ, and which
       way does it point?)");
   if (along != 0) {
-    const std::string
-        toward = "λd with λ < 0 points against d, to the fixed point: it keeps a rod from getting longer.",
-        away = "λd with λ > 0 points along d, away from the fixed point: it keeps a rod from getting shorter.";
-    page.choose({.ask = say("In the first step JV is @. Does the rod pull the bob or push it?",
+    const std::string pull = "The rod pulls: it keeps itself from getting longer.",
+                      push = "The rod pushes: it keeps itself from getting shorter.";
+    page.choose({.ask = say("In the first step JV is @. Which way does λd act on the bob, and which sign has λ?",
                             pulls ? "positive" : "negative"),
-                 .options = {{"pull: λ < 0", toward}, {"push: λ > 0", away}},
-                 .answer = pulls ? 0 : 1,
+                 .options = {{"against d, to the fixed point, with λ < 0", pull},
+                             {"against d, with λ > 0", "With λ > 0 the impulse λd points along d."},
+                             {"along d, away from the fixed point, with λ > 0", push},
+                             {"along d, with λ < 0", "With λ < 0 the impulse λd points against d."}},
+                 .answer = pulls ? 0 : 2,
                  .hints = {say("JV is @: would the rod get longer or shorter?", pulls ? "positive" : "negative"),
                            "The impulse on the bob has to prevent that. d points from the fixed point to the bob.",
                            say("It has to point @, and it is λd.", pulls ? "against d" : "along d")}});
   } else {
-    page.text("You let go level with the fixed point, where JV is 0: λ is 0 as well.");
+    page.text("You let go at the height of the fixed point, where JV is 0: λ is 0 as well.");
   }
-  page.text(
-      R"(λJᵀ changes V by M⁻¹Jᵀλ, and so JV by JM⁻¹Jᵀλ. After it JV + b is to be zero, where b is the bias: 0 until
-      lesson 4.)");
+  page.text(R"(Afterwards we want JV + b = 0. The bias b is zero until lesson 4.)");
   page.equation(17);
   page.derivation(
       "(17), line by line",
@@ -37,22 +37,24 @@ void lambda(const Setting& setting, Page& page) {
         R"(\Delta V = M^{-1}J^T\lambda)"},
        {"wanted: J(V + ΔV) + b = 0", "JV + JM⁻¹Jᵀλ + b = 0", R"(JV + JM^{-1}J^T\lambda + b = 0)"},
        {"JM⁻¹Jᵀ is one number, (19)", "λ = −(JV + b)/(JM⁻¹Jᵀ)", R"(\lambda = -\frac{JV + b}{JM^{-1}J^T})"}});
-  page.predict(
-      {.ask = say(
-           R"(@ kg at @°, at rest, one step of gravity in V (g = @ m/s², h = @ s). λ is in N·s/m; multiply by |d| to
+  if (along != 0)
+    page.predict(
+        {.ask = say(
+             R"(@ kg at @°, at rest, one step of gravity in V (g = @ m/s², h = @ s). λ is in N·s/m; multiply by |d| to
            get the impulse along the rod. How large is λ·|d|, with its sign?)",
-           setting.mass(), setting.angle(), gravity(), setting.h),
-       .answer = along,
-       .unit = "N·s",
-       .tolerance = along == 0 ? 0.02 * full : std::min(0.02 * full, 0.2 * std::abs(along)),
-       .wrong = {{-full, "That cancels all of gravity; the rod only cancels the part along d."},
-                 {-along, "Look again at the minus in (17) and at the sign of JV."},
-                 {row.lambda, say("As a number that is λ, in N·s/m; times |d| = @ m it is the impulse.", length)}},
-       .hints = {"Only the part of gravity along the rod is cancelled. Which angle does the rod make with it?",
-                 "(17) times |d|: λ|d| = −(JV/|d|)·m, and JV/|d| is the speed along d.",
-                 say("−@ · (@ · @ · cos @°) = …", setting.mass(), gravity(), setting.h, setting.angle())},
-       .hinted = -full * std::cos(radians(setting.angle())),
-       .right = say("It is −m·g·h·cosθ: m·g·h is @ N·s, and the rod cancels its part along d.", full)});
+             setting.mass(), setting.angle(), gravity(), setting.h),
+         .answer = along,
+         .unit = "N·s",
+         .tolerance = std::min(0.02 * full, 0.2 * std::abs(along)),
+         .wrong = {{pulls ? -full : full, "That cancels all of gravity; the rod only cancels the part along d."},
+                   {-along, "Look again at the minus in (17) and at the sign of JV."},
+                   {row.lambda,
+                    say("As a number that is λ, in N·s/m; times |d| = @ m it is the impulse.", length)}},
+         .hints = {"Only the part of gravity along the rod is cancelled. Which angle does the rod make with it?",
+                   "(17) times |d|: λ|d| = −(JV/|d|)·m, and JV/|d| is the speed along d.",
+                   say("−@ · (@ · @ · cos @°) = …", setting.mass(), gravity(), setting.h, setting.angle())},
+         .hinted = -full * std::cos(radians(setting.angle())),
+         .right = say("It is −m·g·h·cosθ: m·g·h is @ N·s, and the rod cancels its part along d.", full)});
 
   page.excerpt("solver/row.hpp", "17");
   page.formula("λ = −(@ + 0) / @ = @ N·s/m, and λ·|d| = @ N·s",
@@ -64,18 +66,20 @@ void lambda(const Setting& setting, Page& page) {
   row_picture.arrows = {{row_picture.second, unit * row.d / length, palette::constraint, "l₂ = d"},
                         {row_picture.first, -unit * row.d / length, palette::constraint, "l₁ = −d"}};
   push.title = say("λJᵀ: λ·|d| = @ N·s", along);
-  push.arrows = {
-      {push.second, unit * along / full * row.d / length, palette::force, "λ l₂", 4, renderer::Dash::solid, 16},
-      {push.first, -unit * along / full * row.d / length, palette::force, "λ l₁", 4, renderer::Dash::solid, -16}};
+  if (along != 0)
+    push.arrows = {
+        {push.second, unit * along / full * row.d / length, palette::force, "λ l₂", 4, renderer::Dash::solid, 16},
+        {push.first, -unit * along / full * row.d / length, palette::force, "λ l₁", 4, renderer::Dash::solid,
+         -16}};
   const Quantity impulse("λ|d|", along, "N·s");
   page.figure(
       "lambda_sign",
       say(R"(Left: the row's two arrows, −d and d (drawn shorter than they are), point where C grows. Right: the
-                  impulses λJᵀ on the bob and on the fixed point, which they do not move. @)",
-          page.verdict({{.when = impulse<0, .say = "λ is negative: they are reversed, the rod pulls.",
+                  impulses λJᵀ on the bob and on the fixed point; the fixed point does not move. @)",
+          page.verdict({{.when = impulse<0, .say = "λ is negative: the arrows are reversed, and the rod pulls.",
                                          .law = Quantity("JV", row.JV, "m²/s")> 0},
                         {.when = impulse > 0,
-                         .say = "λ is positive: they point the same way, the rod pushes.",
+                         .say = "λ is positive: the arrows keep the direction of J, and the rod pushes.",
                          .law = Quantity("JV", row.JV, "m²/s") < 0},
                         {.when = impulse == 0, .say = "λ is zero: there are none."}})),
       [row_picture, push](Canvas& canvas) {

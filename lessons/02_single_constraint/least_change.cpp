@@ -41,7 +41,7 @@ void least_change(const Setting& setting, Page& page) {
                    {"multiply out", "T(λ) = T(0) + λJV + ½λ²JM⁻¹Jᵀ",
                     R"(T(\lambda) = T(0) + \lambda JV + \tfrac12\lambda^2 JM^{-1}J^T)"},
                    {"dT/dλ = 0", "λ = −JV/(JM⁻¹Jᵀ)", R"(\lambda = -JV/(JM^{-1}J^T))"}});
-  Curve parabola{.label = "kinetic energy", .colour = palette::force};
+  Curve parabola{.label = "kinetic energy", .colour = palette::series(5)};
   for (int i = 0; i <= 80; ++i) {
     parabola.x.push_back(unit * (-2 + 3.0 * i / 80));
     parabola.y.push_back(energy(parabola.x.back()));
@@ -57,8 +57,8 @@ void least_change(const Setting& setting, Page& page) {
                                      "λ of (17)"}}});
   const double left = energy(-unit), middle = energy(0), right = energy(unit);
   // Along the rod alone, two free bobs are two numbers u1, u2, and JV = 0 says that they are equal.
-  page.claim("λ with the least kinetic energy", unit * (left - right) / (2 * (left - 2 * middle + right)), "N·s/m",
-             is(row.lambda, "(17)", absolute(1e-13 * unit)));
+  page.claim("λ that minimises the kinetic energy", unit * (left - right) / (2 * (left - 2 * middle + right)),
+             "N·s/m", is(row.lambda, "(17)", absolute(1e-13 * unit)));
   const double m1 = setting.mass(), m2 = 4 * m1, speed = std::sqrt(gravity() * setting.length());
   const Vector along = from_straight_down<PlaneParticle>(radians(setting.angle()));
   const Pendulum pair = two_free_bobs(setting, speed * along);
@@ -84,11 +84,11 @@ void least_change(const Setting& setting, Page& page) {
              .colour = palette::constraint};
   page.figure(
       "least_change",
-      R"(Velocities along the rod. On the line JV = 0; on each ellipse ½ΔV·MΔV is constant. The smallest ellipse that
+      R"(u₁, u₂: the bobs' velocities along the rod. On the line JV = 0; on each ellipse ½ΔV·MΔV is constant. The smallest ellipse that
       reaches the line touches it at the solver's answer: the smallest change of V, and the only one that keeps the
       momentum.)",
       Chart{.x = {.label = "u₁ (m/s)", .range = std::pair{-0.55 * speed, 2.25 * speed}},
-            .y = {.label = "u₂ (m/s)", .range = std::pair{-0.3 * speed, 1.15 * speed}},
+            .y = {.label = "u₂ (m/s)", .range = std::pair{-0.6 * speed, 1.15 * speed}},
             .curves = {rule, equal_cost(before, solved, m1, m2), equal_cost(before, only1, m1, m2)},
             .annotations = {{before.x(), before.y(), "V before"},
                             {solved.x(), solved.y(), "V after (20)"},

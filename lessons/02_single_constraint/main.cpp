@@ -11,8 +11,10 @@ int main(int argc, char** argv) {
       .length = lesson.parameter("length", 2.0, "m", {0.1, 20}, "length of the rod"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.01, 1000}, "mass of the bob"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
-      .angle = lesson.parameter("angle", 30.0, "deg", {0, 180}, "where the bob is let go, from straight down"),
-      .release = lesson.parameter("release", 90.0, "deg", {5, 170}, "where the long swings start"),
+      .angle = lesson.parameter("angle", 30.0, "deg", {0, 180},
+                                "release angle of the first step (steps 1 to 5), from straight down"),
+      .release =
+          lesson.parameter("release", 90.0, "deg", {5, 170}, "release angle of the swings (steps 5, 7 and 7d)"),
   };
   const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
     return [=](course::Page& page) { step(setting, page); };
@@ -24,7 +26,7 @@ int main(int argc, char** argv) {
   lesson.step("λ: sign and size", with(lambda));
   lesson.step("What the impulse does to V", with(onto_the_tangent));
   lesson.step("From λ to the tension", with(tension));
-  lesson.step("JV = 0 and the length of the rod", with(off_the_circle));
+  lesson.step("Does JV = 0 keep the rod's length?", with(off_the_circle));
   lesson.step("Ten seconds beside the exact pendulum", with(ten_seconds));
 
   lesson.deeper("The least change of V", with(least_change));
@@ -36,18 +38,18 @@ int main(int argc, char** argv) {
       {.now_you_know =
            {"Gravity goes into V first; JV then says how fast C would change.",
             "JM⁻¹Jᵀ is the inverse effective mass: a few products, no matrix.",
-            "λ is an impulse. It is negative where the rod pulls, and −λ|d|/h is the tension, for every h.",
+            "λ|d| is an impulse, negative where the rod pulls; −λ|d|/h is the tension, whatever h is.",
             "After (20) JV = 0 to rounding, and no other impulse would get there with a smaller change of V.",
             "JV = 0 keeps the rate zero, not the length: C grows by ½h²v² a step, and with b = 0 energy never "
             "rises."},
-       .tries = {{"Let go above the fixed point, where the rod has to push: what sign does λ have?",
+       .tries = {{"Let go above the fixed point: does the rod pull or push, and what sign has λ?",
                   "./lessons/run single_constraint --set angle=120"},
                  {"A third of the step: compare the drift and the lost energy.",
                   "./lessons/run single_constraint --set h=1/180"},
                  {"A light bob on a long rod: which numbers stay the same?",
                   "./lessons/run single_constraint --set mass=0.1 --set length=10"}},
        .next =
-           R"(Write K, λ, the impulse and the step yourself: `./lessons/run practise 3` to 6.
+           R"(Write JM⁻¹Jᵀ (K in the code), λ, the impulse and the step yourself: `./lessons/run practise 3` to 6.
 
            One formula solves one row exactly. Where two rods share a bob, solving one row changes the JV of the
            other: lesson 3. Lesson 4 cures the drift that you saw.)"});

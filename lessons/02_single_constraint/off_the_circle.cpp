@@ -31,6 +31,13 @@ void draw_steps(Canvas& canvas, const Swing& run, double length) {
   pictures::draw(canvas, {.bobs = {{steps.back(), 1}}, .rods = {{{0, 0}, steps.back()}}, .anchors = {{0, 0}}});
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) canvas.mark(steps[i], Mark::disc, palette::velocity, 10);
   canvas.arrow(steps[0], steps[1], {palette::velocity, 3.5});
+  const auto name = [&](const Point& end, const char* text) {
+    const TextStyle style{
+        .size = 22, .colour = palette::constraint, .anchor = Anchor::right, .halo = 3, .offset = {-14, 8}};
+    canvas.text(0.6 * end, text, style);
+  };
+  name(steps.front(), "L");
+  name(steps.back(), "ℓ > L");
   canvas.text(steps[0], "start", {.size = 20, .anchor = Anchor::top, .halo = 3, .offset = {0, -12}});
 }
 
@@ -46,7 +53,7 @@ void off_the_circle(const Setting& setting, Page& page) {
       speed);
   page.excerpt("solver/integrate/euler.hpp", "advance");
   page.predict(
-      {.ask = say("It moves one step of h = @ s at @ m/s. How much too long is the @ m rod after that step?",
+      {.ask = say("It moves one step of h = @ s at @ m/s. By how much is the @ m rod too long after that step?",
                   setting.h, speed, length),
        .answer = one / millimetre,
        .unit = "mm",
@@ -66,7 +73,7 @@ void off_the_circle(const Setting& setting, Page& page) {
   const Swing steps = swing(weightless(setting), coarse, 8 * coarse);
   page.figure(
       "off_the_circle",
-      say(R"(The same bob in steps of @ s. Each step is at right angles to the rod as it then is, so every step makes
+      say(R"(The same bob, without gravity, in steps of @ s. Each step is at right angles to the rod as it then is, so every step makes
           the rod longer.)",
           coarse),
       [=](Canvas& canvas) { draw_steps(canvas, steps, length); });
@@ -79,21 +86,20 @@ void off_the_circle(const Setting& setting, Page& page) {
   for (int i = 0; i <= 6; ++i) {
     const double step = h / (1 << i);
     measured.x.push_back(step);
-    measured.y.push_back(stretch(setting, step));
+    measured.y.push_back(stretch(setting, step) / millimetre);
     theory.x.push_back(step);
-    theory.y.push_back(speed * speed * step * step / (2 * length));
+    theory.y.push_back(speed * speed * step * step / (2 * length) / millimetre);
   }
   const double slope = std::log2(measured.y[0] / measured.y[1]);
   page.figure(
       "one_step",
-      say(ratio <= 0.5 ? R"(How much too long the rod is after one step, over h. From h to h/2 the slope is @:
-                                  half the step, a quarter of the error. A second then has twice as many steps,
-                                  so the drift over a *time* halves.)"
-                       : R"(How much too long the rod is after one step, over h. From h to h/2 the slope is @;
-                                  it becomes 2 where v·h is much smaller than L.)",
+      say(ratio <= 0.5
+              ? R"(Stretch after one step against h. Halving h quarters it (slope @). But a second
+                                  then has twice as many steps, so the drift per second only halves.)"
+              : R"(Stretch after one step against h. From h to h/2 the slope is @; it becomes 2 where v·h is much smaller than L.)",
           Value(slope, 3)),
       Chart{.x = {.label = "time step h (s)", .scale = Scale::logarithmic},
-            .y = {.label = "stretch after one step (m)", .scale = Scale::logarithmic},
+            .y = {.label = "stretch after one step (mm)", .scale = Scale::logarithmic},
             .curves = {measured, theory}});
 
   const double second = 1;
@@ -102,9 +108,9 @@ void off_the_circle(const Setting& setting, Page& page) {
   const double radius = last.position.norm(), momentum = cross(last.position, last.velocity)[0];
   const double grown = laws::drifted_radius(length, speed, h, second);
   page.text(
-      R"(After one second the rod is @ mm too long, and the bob is slower by @ m/s: each impulse acts along the
-      rod, so it does not change the angular momentum, speed times length.)",
-      (radius - length) / millimetre, course::small_error(speed - last.velocity.norm(), 3));
+      R"(After one second the rod is @ mm too long, and the bob is slower by @ m/s, because each impulse acts along the rod:
+      the angular momentum mvℓ stays, so a longer rod means a slower bob.)",
+      (radius - length) / millimetre, course::small_error(speed - momentum / radius, 3));
 
   page.derivation("How fast the rod grows, without gravity",
                   {{"Pythagoras: each step of length vh is at right angles to the rod, of length ℓ",

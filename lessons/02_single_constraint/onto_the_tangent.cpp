@@ -16,10 +16,10 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   const Vector impulse = course::without_rounding(Vector(shown.lambda * shown.d)),
                left = (solved.v2.array().abs() > std::max(1e-10 * gain, 1e-11)).select(solved.v2, 0);
   page.text(
-      R"(λ goes back to the bodies by (5). Here it was computed from velocities, so λJᵀ is an *impulse* P, a force
-      times the time it acts. (*The article calls it a force F; the force is P/h.*))");
-  page.formula("P = λ·d = @·@ = @ N·s on the bob", R"(P = \lambda\,d = @\cdot @ = @\ \mathrm{N\,s})", shown.lambda,
-               shown.d, impulse);
+      R"(λ goes back to the bodies by (5). Here it was computed from velocities, so λJᵀ is an *impulse*, a force
+      times the time it acts. (*The article calls it a force F; the force is λJᵀ/h.*))");
+  page.formula("λd = @·@ = @ N·s on the bob", R"(\lambda\,d = @\cdot @ = @\ \mathrm{N\,s})", shown.lambda, shown.d,
+               impulse);
   page.text("Divided by the masses, the impulses change the velocities:");
   page.equation(20, "v₂ = @ + @·@ = @ m/s", R"(v_2 = @ + @\cdot @ = @\ \mathrm{m/s})", shown.v2,
                 scene.bodies().inverse_mass[1].linear, impulse, left);
@@ -35,16 +35,15 @@ void onto_the_tangent(const Setting& setting, Page& page) {
       {picture.second, scale * solved.v2, palette::velocity, "V after"}};
   const bool cancels = shown.lambda != 0, moves = left.norm() > 0;
   page.figure("onto_the_tangent",
-              cancels && moves
-                  ? R"(The impulse takes away the part of V along d and nothing else. The velocity that is left is
-                                 perpendicular to it.)"
-              : moves ? "V lies along the tangent already; the impulse is zero."
-                      : "V lies along d; the impulse takes all of it away.",
+              cancels && moves ? R"(The impulse takes away the part of V along d and nothing else.)"
+              : moves          ? "V lies along the tangent already; the impulse is zero."
+                               : "V lies along d; the impulse takes all of it away.",
               [picture](Canvas& canvas) { draw(canvas, {picture}); });
 
   page.text(
-      R"(JV is now zero to rounding. One formula solves one row *exactly*; nothing is iterated. And the impulse does
-      no work on the velocity that is left: P·V = λJV = 0.)");
+      R"(JV is now zero to rounding. One formula solves one row *exactly*; nothing is iterated. What is
+      left of V is perpendicular to the impulse: λd·V = λJV = 0. (What was taken away had kinetic energy; step 7 asks
+      where it went.))");
 
   within_a_step(setting, page);
 
@@ -65,14 +64,25 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   answer.arrows = {{answer.first, per_speed * freed.bodies().velocity[0], palette::velocity, "v₁"},
                    {answer.second, per_speed * freed.bodies().velocity[1], palette::velocity, "v₂"}};
   blow.guides = answer.guides = false;
+  const Quantity answer_of_rod("λ of two free bobs", hit.lambda, "N·s/m"), struck("their JV", hit.JV, "m²/s");
   page.text(
       R"(−λd acts on the other end of the rod, which does not move here. To see what it does, join two free bobs of @ kg
-      and @ kg by the rod and strike the first: the rod pulls both, and their momentum stays @ kg·m/s.)",
-      setting.mass(), 4 * setting.mass(), course::without_rounding(after_momentum));
+      and @ kg by the rod and strike the first. @ Their momentum stays @ kg·m/s.)",
+      setting.mass(), 4 * setting.mass(),
+      page.verdict(
+          {{.when = answer_of_rod > 0,
+            .say = "It moves towards the second, JV < 0: so λ > 0, and the rod pushes both, equally and in "
+                   "opposite directions.",
+            .law = struck < 0},
+           {.when = answer_of_rod<
+                0,
+                .say = "It moves away from the second, JV > 0: so λ < 0, and the rod pulls both, equally and in "
+                       "opposite directions.",
+                .law = struck> 0}}),
+      course::without_rounding(after_momentum));
   page.figure(
       "momentum_kept",
-      R"(Two free bobs, the second four times as heavy. The rod answers with two equal and opposite impulses
-      (orange) along itself; the velocities along the rod are equal afterwards, those across it unchanged.)",
+      R"(Two free bobs, the second four times as heavy. Orange: the two impulses of the rod. The velocities along the rod are equal afterwards, those across it unchanged.)",
       [blow, answer](Canvas& canvas) {
         draw(canvas, {blow, answer});
       });

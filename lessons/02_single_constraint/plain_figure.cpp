@@ -27,22 +27,25 @@ std::vector<renderer::Curve> curves_of(const Step& step) {
   return {drift, change};
 }
 
-renderer::Chart empty_chart() {
+renderer::Chart empty_chart(std::pair<double, double> range) {
   renderer::Chart chart;
   chart.x.label = "time (s)";
   chart.y.label = "C/L², ΔE/(m·g·L)";
-  chart.y.range = {{-1, 1}};
+  chart.y.range = range;
   return chart;
 }
 
 }  // namespace
 
 renderer::Chart chart_of(const Step& step) {
-  return pictures::with_curves(empty_chart(), curves_of(step), curve_style);
+  std::vector<renderer::Curve> curves = curves_of(step);
+  curves[0].colour = renderer::palette::error;
+  curves[1].colour = renderer::palette::series(5);
+  return pictures::with_curves(empty_chart({-0.4, 0.35}), std::move(curves), curve_style);
 }
 
 renderer::Chart chart_beside_ours(const Step& readers) {
-  return pictures::beside_ours(empty_chart(), curves_of(plain_step), curves_of(readers), curve_style);
+  return pictures::beside_ours(empty_chart({-1, 1}), curves_of(plain_step), curves_of(readers), curve_style);
 }
 
 }  // namespace byhand::single_constraint

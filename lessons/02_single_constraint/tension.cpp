@@ -62,7 +62,7 @@ void tension(const Setting& setting, Page& page) {
       - with h = @ s the tension is @ N
       - with h/4: @ N
       - with h/64: @ N
-      - m·g·cosθ, what the rod must hold: @ N@)",
+      - m·g·cosθ, the part of the weight along the rod: @ N@)",
       setting.angle(), setting.h, shown(h), shown(h / 4), shown(h / 64), course::without_rounding(held, weight),
       shown(h) < 0 ? ". It is negative: the rod pushes" : "");
   double worst = 0;
@@ -86,8 +86,8 @@ void tension(const Setting& setting, Page& page) {
                       lowest - 1)},
                  {lowest - 1, "That is the part that bends the path. The weight comes on top."}},
        .hints = {"What does the rod do at the lowest point besides holding the weight?",
-                 "Tension = m·g + mv²/L, and energy gives v² = 2gL(1 − cosθ₀).",
-                 say("1 + 2·(1 − cos @°) = …", setting.release())},
+                 "Tension = m·g + mv²/L. How fast is the bob at the bottom? Use energy.",
+                 say("v² = 2gL(1 − cosθ₀): 1 + 2·(1 − cos @°) = …", setting.release())},
        .hinted = 1 + 2 * (1 - std::cos(radians(setting.release()))),
        .right = say(R"(By energy mv²/L is 2(1 − cosθ₀) times m·g; with the weight that makes 3 − 2cosθ₀. The solver
                     measures @ m·g with this h.)",
@@ -96,22 +96,20 @@ void tension(const Setting& setting, Page& page) {
   const double end = std::min(period, 4.0);
   const Swing run = swing(setting, h, end);
   const Chart chart = tension_chart(run, exact, mass, end);
-  page.figure(
-      "tension_over_time",
-      say(R"(The tension from the solver's λ, and m(g·cosθ + Lθ̇²) of the exact pendulum, over @ s from @°. The solver knows
-          nothing of circles: it only makes JV = 0 in each step.)",
-          Value(end, 3), setting.release()),
-      chart);
-  page.sequence("swing", "The swing, the pull of the rod (orange), the weight (grey), and −λ|d|/h over time.",
+
+  page.sequence("swing",
+                "The pull of the rod (orange) and the weight (grey); right: −λ|d|/h, and dashed m(g·cosθ + Lθ̇²) "
+                "of the exact "
+                "pendulum. The solver knows nothing of circles.",
                 Seconds{end},
                 [=](Canvas& canvas, double time) { draw_frame(canvas, at(run, time), run, chart, weight); });
 
   const double error = peak - lowest, half = peak_tension(setting, h / 2, period) / weight - lowest,
                step = std::sqrt(gravity() / length) * h;
   page.text(
-      R"(At the bottom the tension is @ m·g in this run and @ m·g exactly. The difference of @ m·g is the error of the
-      step, not of the solver, which makes JV zero to rounding: with h/2 it is @ m·g. @ The next two steps show where
-      it comes from.)",
+      R"(At the bottom the tension is @ m·g in this run and @ m·g exactly. The @ m·g in between is the error of the
+      time step, not of the solver, which makes JV zero to rounding. With h/2 it is @ m·g, and the next two steps show
+      where it comes from. @)",
       lowest + error, lowest, small_error(std::abs(error)), small_error(std::abs(half)),
       page.verdict({{.when = within(1.8, Quantity("error with h, over that with h/2", error / half), 2.2),
                      .say = "Half the step makes about half the error."}}));

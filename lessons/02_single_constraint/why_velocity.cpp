@@ -13,7 +13,7 @@ void why_velocity(const Setting& setting, Page& page) {
       R"(Why not move the *position* until C = 0, with the same row? Pull the bob out to @ L and try. C of (2) is
       quadratic, so J changes with the position: a move of −C/(JM⁻¹Jᵀ) along M⁻¹Jᵀ leaves an error.)",
       stretched);
-  Curve left{.label = "position: |C| left", .style = CurveStyle::line_and_markers, .colour = palette::error};
+  Curve left{.label = "", .style = CurveStyle::line_and_markers, .colour = palette::error};
   std::vector<double> distances;
   for (int i = 0; i <= 3; ++i) {
     const OneRow row(scene);
@@ -24,16 +24,16 @@ void why_velocity(const Setting& setting, Page& page) {
   }
   page.figure(
       "why_velocity",
-      R"(|C| after each move of the position. This is Newton's method: each error is proportional to the square of
+      R"(|C| after each position correction. This is Newton's method: each error is proportional to the square of
       the last. JV = 0 is linear in V, and one impulse solves it to rounding.)",
-      Chart{.x = {.label = "moves", .ticks = {{0, "0"}, {1, "1"}, {2, "2"}, {3, "3"}}},
+      Chart{.x = {.label = "corrections", .ticks = {{0, "0"}, {1, "1"}, {2, "2"}, {3, "3"}}},
             .y = {.label = "|C| (m²)", .scale = Scale::logarithmic},
             .curves = {left}});
   page.text(
-      R"(After one move @ m² of @ m² are left, after two @ m². That would do, but the bob keeps its velocity. If it
-      moves outwards, it is off the circle again one step later: moving the position removes the error, an impulse
-      prevents it. And with many rods each move changes the neighbours' C, while JV = 0 for all rows is a linear
-      system with one solution. So solve for V first and correct C as well (lesson 4).)",
+      R"(After one move @ m² of @ m² are left, after two @ m². But the bob keeps its
+      velocity: if it moves outwards, it is off the circle again one step later, unless V is corrected too.
+      Position-based dynamics does that by V = Δx/h; this course, like the article, solves JV = 0 and corrects what
+      drift is left (lesson 4). JV = 0 for all rows is a linear system; C = 0 for all rows is not.)",
       left.y[1], left.y[0], left.y[2]);
 
   const double C0 = left.y[0];

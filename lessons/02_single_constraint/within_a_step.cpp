@@ -71,11 +71,13 @@ void within_a_step(const Setting& setting, Page& page) {
                   : say("The part of V along d: the rod would get @.", fate),
         palette::error},
        {say("λ|d| = −JV|d|/(JM⁻¹J^T) = @ N·s", Value(impulse, 3)),
-        rate == 0 ? "Nothing is to be taken away: λ = 0."
+        rate == 0 ? "There is nothing to remove: λ = 0."
                   : say("λ takes away that part and no more: the rod @.", impulse < 0 ? "pulls" : "pushes"),
         palette::force},
        {say("V + M⁻¹J^Tλ = @ m/s", Value(left.norm(), 3)),
-        left.norm() > 0 ? "The rest of V lies on the tangent, at a right angle to d." : "Nothing is left of V.",
+        left.norm() > 0 ? say("@ along the tangent, at a right angle to d.",
+                              rate == 0 ? "V already lies" : "What is left of V lies")
+                        : "Nothing is left of V.",
         palette::velocity},
        {say("|hV| = @ mm", Value(1000 * h * left.norm(), 3)),
         left.norm() > 0 ? say("The bob moves by hV, drawn @ times as far. The tangent leaves the circle.",
@@ -84,7 +86,7 @@ void within_a_step(const Setting& setting, Page& page) {
         palette::ink}});
   page.sequence(
       "within_a_step",
-      say(R"(One step of @ s, slowed to @ s: gravity, the part of V along the rod, λ, and the rest of V. All
+      say(R"(One step of @ s, slowed to @ s: gravity, the part of V along the rod, λ, and what is left of V. All
                     arrows are velocities at one scale; M⁻¹Jᵀλ is the change of velocity by the impulse.)",
           setting.h, acts.seconds()),
       Seconds{acts.seconds()},

@@ -60,7 +60,7 @@ void heavy_end(Page& page, const Knobs& knobs) {
       the row above corrects the light bob.
 
       If r is much larger than N: let the heavy bob fall at v. Once the light bobs have settled, their speeds fall off
-      evenly from v to 0 over N − 1 rods, so in each sweep every row passes on an impulse of m·v/(N − 1). The heavy bob
+      evenly to 0, by v/(N − 1) a rod: in each sweep every row passes on an impulse of m·v/(N − 1). The heavy bob
       loses v/(r(N − 1)): ρ ≈ 1 − 1/(r(N − 1)).)",
         Value(ratio / (1 + ratio), 4), Value(1 / (1 + ratio), 3));
   renderer::Curve measured{.label = "measured", .style = renderer::CurveStyle::markers};

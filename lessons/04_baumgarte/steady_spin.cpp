@@ -72,8 +72,7 @@ void steady_spin(const Setting& setting, Page& page) {
               stays too long by C/L = @.)",
               spin.stretch);
   else
-    page.text("The run settles at C/L = @, a little more: the drift of a step is ½(ωh)²|d|, and |d| = L + C.",
-              spin.stretch);
+    page.text("The run ends at C/L = @: the drift of a step is ½(ωh)²|d|, and |d| = L + C.", spin.stretch);
   page.derivation(
       "The stretch of a spinning rod",
       {{"the step h·v is at right angles to d (step 1)", "|d′|² = |d|² + (h v)²", R"(|d'|^2 = |d|^2 + (hv)^2)"},
