@@ -116,8 +116,7 @@ void differentiate(course::Page& page, const Settings& set) {
                 });
 
   page.text(
-      R"(Curve and dots never disagree by more than @ m²/s. A centred difference with this step may be wrong by up to
-      @ m²/s, so the test is passed.)",
+      R"(Curve and dots differ by at most @ m²/s; a centred difference with this step may be wrong by up to @ m²/s.)",
       course::small_error(all.largest_difference), course::Value(std::max(all.tolerance, 1e-11), 2));
 
   page.claim("Ċ of the bob", bob, "m²/s", is(0.6 * length * speed, "d·v by hand", course::relative(1e-14)));
