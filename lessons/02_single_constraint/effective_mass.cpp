@@ -35,9 +35,13 @@ double draw_matrix(Canvas& canvas, const Eigen::MatrixXd& matrix, double cell, d
 void draw_product(Canvas& canvas, const Row4& J, const Matrix4& inverse_mass, double K) {
   // On a narrow page J is above M⁻¹, and the result below it.
   const bool narrow = canvas.page().is_high();
-  const double cell = narrow ? 80 : 92, left = narrow ? 30 : 40, middle = narrow ? 340 : 400, gap = 30;
+  const double cell = narrow ? 78 : 88, left = 40, middle = narrow ? 340 : 400, gap = narrow ? 30 : 44;
   double x = draw_matrix(canvas, J, cell, left, narrow ? 620 : middle, palette::constraint, "J") + gap;
   if (narrow) x = left;
+  const std::array ways{"v₁ₓ", "v₁ᵧ", "v₂ₓ", "v₂ᵧ"};
+  for (int i = 0; i < 4; ++i)
+    canvas.text({x - 6, middle + cell * (1.5 - i)}, ways[static_cast<std::size_t>(i)],
+                {.size = 18, .colour = palette::muted, .anchor = Anchor::right});
   x = draw_matrix(canvas, inverse_mass, cell, x, middle, palette::force, "M⁻¹") + gap;
   x = draw_matrix(canvas, J.transpose(), cell, x, middle, palette::constraint, "Jᵀ") + gap;
   canvas.text(narrow ? Point(left, 130) : Point(x, middle), say("= @ m²/kg", K),
@@ -74,12 +78,11 @@ void effective_mass(const Setting& setting, Page& page) {
   Row4 J = row.J.matrix;
   const Matrix4 inverse_mass = inverse_mass_matrix(scene);
   const double product = J * inverse_mass * J.transpose();
-  page.figure(
-      "no_matrix",
-      say(R"((19) for two particles in the plane: rows are v₁ₓ, v₁ᵧ, v₂ₓ, v₂ᵧ. The fixed point has an inverse mass
+  page.figure("no_matrix",
+              say(R"((19) for two particles in the plane. The fixed point has an inverse mass
           of 0. (19) needs @ multiplications, the product of matrices @.)",
-          2 * (PlaneParticle::linear + 1), 4 * 4 + 4),
-      [=](Canvas& canvas) { draw_product(canvas, J, inverse_mass, product); });
+                  2 * (PlaneParticle::linear + 1), 4 * 4 + 4),
+              [=](Canvas& canvas) { draw_product(canvas, J, inverse_mass, product); });
 
   page.text(
       R"(JM⁻¹Jᵀ is an *inverse* mass: heavier bodies make it smaller. 1/(JM⁻¹Jᵀ) = @ kg/m² is the effective mass

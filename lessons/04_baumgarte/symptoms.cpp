@@ -1,7 +1,5 @@
 #include "lessons/04_baumgarte/symptoms.hpp"
 
-#include <functional>
-
 #include "lessons/04_baumgarte/warm_chain.hpp"
 #include "lessons/laws/closed_forms.hpp"
 
@@ -50,7 +48,7 @@ Symptom run(Symptom symptom, const RodBetween& start, const Recipe& recipe, int 
             const Recipe& right_recipe) {
   symptom.wrong = read(after(start, recipe, steps));
   symptom.right = without_rounding(read(after(start, right_recipe, steps)), 1);
-  symptom.run = {start, recipe};
+  symptom.run = {start, recipe, right_recipe, steps, read};
   return symptom;
 }
 Symptom run(Symptom symptom, const RodBetween& start, const Recipe& recipe, int steps, const Reading& read) {
@@ -154,6 +152,7 @@ SymptomGroup of_correction() {
                             .more = "`./lessons/run 4 --step 5`"},
                            hanging(trial.off), twice_the_step, 3, error_left);
   frame_rate.right = error_left(after(hanging(trial.off), sixty, 6));
+  frame_rate.run->right = sixty;
   return {"The correction",
           {run({.seen = "Small errors grow exponentially",
                 .quantity = "error left after 5 steps",

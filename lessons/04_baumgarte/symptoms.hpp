@@ -1,13 +1,17 @@
 #pragma once
 
+#include <functional>
+
 #include "lessons/04_baumgarte/faults.hpp"
 
 namespace byhand::baumgarte {
 
-/// A rod and the step that is wrong for it.
+/// A rod, the step that is wrong for it and the right one, and what is measured after so many wrong steps.
 struct FaultyRun {
   RodBetween start;
-  Recipe recipe;
+  Recipe recipe, right;
+  int steps;
+  std::function<double(const RodBetween&)> read;
 };
 
 /// Something that readers see in programs of their own, what is behind it, and how to make sure. The wrong step is

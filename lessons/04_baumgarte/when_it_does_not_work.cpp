@@ -9,12 +9,23 @@ namespace {
 
 constexpr double film_length = 2;  // [s]
 
-/// A run of a film: the rod in each step, until it leaves the view.
+constexpr int least_steps = 10;  // that are shown of a run
+
+/// A run over its own time: the rod in each step, until it leaves the view, and what is measured.
+struct Track {
+  std::vector<RodBetween> rods;
+  std::vector<double> measured;
+
+  const RodBetween& rod_at(double share) const { return rods[std::min(rods.size() - 1, step_at(share))]; }
+  std::size_t step_at(double share) const {
+    return static_cast<std::size_t>(share * static_cast<double>(measured.size() - 1) + 1e-9);
+  }
+};
+
 struct Filmed {
   std::string name;
-  std::vector<RodBetween> wrong, right;
+  Track wrong, right;
   Rectangle world;  // what is seen [m]
-  double h;
 };
 
 /// Half the size of a box, and of a bob about as large.
@@ -26,24 +37,25 @@ bool inside(const Rectangle& world, const RodBetween& rod) {
   return seen(rod.one) && seen(rod.two);
 }
 
-std::vector<RodBetween> track(RodBetween rod, const Recipe& recipe, const Rectangle& world) {
-  std::vector<RodBetween> all{rod};
-  for (int i = 0; i < static_cast<int>(std::lround(film_length / recipe.h)); ++i) {
+Track track(const FaultyRun& run, const Recipe& recipe, const Rectangle& world) {
+  RodBetween rod = run.start;
+  Track track{{rod}, {run.read(rod)}};
+  const double seconds = std::max(run.steps, least_steps) * run.recipe.h;
+  bool seen = true;
+  for (int i = 0; i < static_cast<int>(std::lround(seconds / recipe.h)); ++i) {
     advance(rod, recipe);
-    if (!inside(world, rod)) break;
-    all.push_back(rod);
+    seen = seen && inside(world, rod);
+    if (seen) track.rods.push_back(rod);
+    track.measured.push_back(run.read(rod));
   }
-  return all;
+  return track;
 }
 
 Filmed filmed(const Symptom& symptom) {
-  const auto& [start, recipe] = *symptom.run;
-  Recipe right = recipe;
-  right.fault = Fault::none;
-  if (recipe.fault == Fault::none) right.beta = 0.2, right.h = 1.0 / 60;
-  const bool anchored = start.one.inverse_mass == 0;
-  const Rectangle world = anchored ? Rectangle{-3.2, -3.9, 6.4, 5.1} : Rectangle{-3.2, -2.4, 6.4, 4.8};
-  return {symptom.seen, track(start, recipe, world), track(start, right, world), world, recipe.h};
+  const FaultyRun& run = *symptom.run;
+  const bool anchored = run.start.one.inverse_mass == 0;
+  const Rectangle world = anchored ? Rectangle{-2.6, -3.9, 5.2, 5.1} : Rectangle{-2.6, -2.4, 5.2, 4.8};
+  return {symptom.seen, track(run, run.recipe, world), track(run, run.right, world), world};
 }
 
 void draw(Canvas& canvas, const RodBetween& rod, bool ghost) {
@@ -63,8 +75,31 @@ void draw(Canvas& canvas, const RodBetween& rod, bool ghost) {
   }
 }
 
-/// A panel for each run: the wrong program, and dashed the correct one.
-void draw(Canvas& canvas, const std::vector<Filmed>& runs, double time) {
+/// What is measured, so far: of the wrong program, and dashed of the correct one.
+void draw_measured(Canvas& canvas, const Filmed& run, double share, const Rectangle& frame) {
+  double lowest = 0, highest = 0;
+  for (const Track* track : {&run.wrong, &run.right})
+    for (const double value : track->measured) {
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+  const auto place = [&](double along, double value) {
+    return Point(frame.x + along * frame.width, frame.y + (value - lowest) / (highest - lowest) * frame.height);
+  };
+  canvas.line(place(0, 0), place(1, 0), {palette::grid, 1.5});
+  for (const Track* track : {&run.right, &run.wrong}) {
+    const bool right = track == &run.right;
+    std::vector<Point> path;
+    for (std::size_t i = 0; i <= track->step_at(share); ++i)
+      path.push_back(
+          place(static_cast<double>(i) / static_cast<double>(track->measured.size() - 1), track->measured[i]));
+    if (path.size() > 1)
+      canvas.path(path, right ? Stroke{palette::theory, 1.8, Dash::dashed} : Stroke{palette::error, 2.6});
+  }
+}
+
+/// A panel for each run, over its own time: the wrong program, and dashed the correct one.
+void draw(Canvas& canvas, const std::vector<Filmed>& runs, double share) {
   // On a narrow page names break.
   const bool narrow = canvas.page().is_high();
   const int columns = narrow ? 3 : 4, rows = (static_cast<int>(runs.size()) + columns - 1) / columns;
@@ -78,13 +113,12 @@ void draw(Canvas& canvas, const std::vector<Filmed>& runs, double time) {
     canvas.text({panel.centre().x(), panel.top() - (title / 2 - 1)},
                 narrow ? pictures::wrapped(canvas, run.name, panel.width, bold) : run.name, bold);
     canvas.rectangle(below, {palette::paper, {palette::grid, 1.5}});
-    canvas.look(fit(run.world, below, 0));
-    canvas.clip(below);
-    const auto now = [&](const std::vector<RodBetween>& all, double h) {
-      return all[std::min(all.size() - 1, static_cast<std::size_t>(std::lround(std::floor(time / h + 1e-9))))];
-    };
-    draw(canvas, now(run.wrong, run.h), false);
-    draw(canvas, now(run.right, 1.0 / 60), true);
+    const auto [picture, chart] = below.split_columns(narrow ? 0.5 : 0.38, 4);
+    draw_measured(canvas, run, share, chart.inset(10));
+    canvas.look(fit(run.world, picture, 0));
+    canvas.clip(picture);
+    draw(canvas, run.wrong.rod_at(share), false);
+    draw(canvas, run.right.rod_at(share), true);
     canvas.clip(std::nullopt);
   }
 }
@@ -122,9 +156,9 @@ void when_it_does_not_work(const Setting&, Page& page) {
       if (symptom.run) runs.push_back(filmed(symptom));
   page.sequence(
       "symptoms",
-      R"(The first two seconds of each rod: filled, the wrong program; dashed, the correct one. A rod that leaves its panel
-                stops at the edge.)",
-      Seconds{film_length}, [runs](Canvas& canvas, double time) { draw(canvas, runs, time); });
+      R"(Each rod over the time of its measurement, at least ten steps, and what is measured: purple, the wrong program;
+                dashed, the correct one. NaN and the symptoms of several rows are not drawn.)",
+      Seconds{film_length}, [runs](Canvas& canvas, double time) { draw(canvas, runs, time / film_length); });
   for (const auto& [title, symptoms] : groups) {
     std::string list;
     for (const Symptom& symptom : symptoms)
