@@ -7,11 +7,11 @@
 namespace byhand::contact {
 namespace {
 
-constexpr double wall_seconds = 5, slop = 0.001;  // [s], [m]
+constexpr double wall_seconds = 5, slop = 0.001, kick_speed = 0.02;  // [s], [m], [m/s]
 
 Pile wall(int base, const RowSolver& solver) {
   Pile pile{pyramid(base), {solver, Baumgarte{.slop = slop}}};
-  kick(pile.scene, 0.02);
+  kick(pile.scene, kick_speed);
   return pile;
 }
 
@@ -31,6 +31,7 @@ Chart overlaps(int base, double h) {
     }
     chart.curves.push_back(std::move(curve));
   }
+  chart.references.push_back({.value = 1000 * slop, .label = "slop"});
   return chart;
 }
 
@@ -48,10 +49,21 @@ void wall_of_boxes(const Setting& setting, Page& page) {
   const bool stands = moved < 0.5;
 
   page.text(
-      R"(In a pyramid every box rests on two others. The contacts form loops, and a direct solve would have to pay for each
-      of them. Sweeps do well here: the weight comes down through @ layers, not @ boxes, and a broad base does not bend
-      as a column does. Two additions make them better still.)",
+      R"(In a pyramid every box rests on two others. The contacts form loops, and a direct solve would have to pay for
+      each of them. Sweeps do well here: the weight comes down through @ layers, not @ boxes, and a broad base does not
+      bend as a column does.)",
       base, boxes);
+  page.text(
+      R"(Where do the contacts of boxes come from? For two boxes the solver takes three steps:
+
+      - *separating axes*: along each of the four axes (two per box), how far apart are the boxes, or (negative) how
+        deep do they overlap? The largest of these numbers is C, and its normal is n
+        (`solver/contact/boxes_in_plane.cpp`);
+      - *clipping*: the facing side of the other box is cut off at the ends of that face, and the ends of the rest are the
+        points P, each with its own C;
+      - *feature ids*: each point records the two corners that made it. In the next step the same pair is the same
+        contact and gets its λ back. Lose the ids, and every start is cold, whatever the solver's settings say.)");
+
   page.text(
       R"(**Colours.** Rows are sorted into groups, the colours, in which no two rows share a moving box. Rows of one
       colour do not disturb each other, so their order does not matter and they can be solved in parallel.)");
@@ -59,7 +71,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
       R"(**Conjugate sweeps** (NNCG, nonsmooth nonlinear conjugate gradients) make use of the sweeps before. The recipe:
 
       - do a sweep; its change Δ of λ is called the gradient;
-      - let c = |Δ|²/|Δ of the sweep before|², or 0 if that is above 1;
+      - let c = |Δ|²/|Δ of the sweep before|², or 0 in the first round or if that is above 1;
       - move λ on by c·p along the last direction p;
       - set the new direction to c·p + Δ;
       - repeat; the last operation is a sweep, which puts λ within its bounds.
@@ -74,28 +86,28 @@ void wall_of_boxes(const Setting& setting, Page& page) {
     most = std::max(most, contact.force);
     if (contact.body1 == 0) ground += contact.force;
   }
-  page.figure(
-      "pyramid",
-      say(R"(@ boxes of 1 kg, @ s after a kick. A darker box carries more; the largest contact force is @ N.
-                  Lines join the bodies that touch, and are as thick as the force.)",
-          boxes, wall_seconds, Value(most, 3)),
-      [shapes = pictures::shapes_of(pile.scene), pose = pile.scene.bodies().pose, contacts, most,
-       base](Canvas& canvas) mutable {
-        std::vector<double> load(pose.size(), 0.0);
-        for (const Pressed& contact : contacts) load[contact.body2] += contact.force;
-        const double heaviest = *std::max_element(load.begin(), load.end());
-        canvas.look(fit({-0.58 * base, -0.06 * base, 1.16 * base, 1.08 * base}, canvas.page(1), 16));
-        for (auto& box : shapes.boxes) {
-          box.look.fill = palette::sequential(0.55 * load[box.body] / heaviest);
-          box.look.edge.width = 1;
-        }
-        pictures::draw(canvas, shapes);
-        for (const Pressed& contact : contacts) {
-          const Point to = pose[contact.body2].position;
-          const Point from = contact.body1 == 0 ? Point(to.x(), 0) : Point(pose[contact.body1].position);
-          if (contact.force > 1e-3 * most) canvas.line(from, to, {palette::force, 1 + 9 * contact.force / most});
-        }
-      });
+  page.figure("pyramid",
+              say(R"(@ boxes of 1 kg, @ s after a kick (@ m/s at the top). A darker box carries more; the largest
+                  contact force is @ N. Lines join the bodies that touch, and are as thick as the force.)",
+                  boxes, wall_seconds, kick_speed, Value(most, 3)),
+              [shapes = pictures::shapes_of(pile.scene), pose = pile.scene.bodies().pose, contacts, most,
+               base](Canvas& canvas) mutable {
+                std::vector<double> load(pose.size(), 0.0);
+                for (const Pressed& contact : contacts) load[contact.body2] += contact.force;
+                const double heaviest = *std::max_element(load.begin(), load.end());
+                canvas.look(fit({-0.58 * base, -0.06 * base, 1.16 * base, 1.08 * base}, canvas.page(1), 16));
+                for (auto& box : shapes.boxes) {
+                  box.look.fill = palette::sequential(0.55 * load[box.body] / heaviest);
+                  box.look.edge.width = 1;
+                }
+                pictures::draw(canvas, shapes);
+                for (const Pressed& contact : contacts) {
+                  const Point to = pose[contact.body2].position;
+                  const Point from = contact.body1 == 0 ? Point(to.x(), 0) : Point(pose[contact.body1].position);
+                  if (contact.force > 1e-3 * most)
+                    canvas.line(from, to, {palette::force, 1 + 9 * contact.force / most});
+                }
+              });
   page.text(
       stands
           ? R"(Many distributions of the load keep every box at rest, and the sweeps end at one of them. Only the
@@ -105,8 +117,8 @@ void wall_of_boxes(const Setting& setting, Page& page) {
       Value(ground, 5), Value(boxes * gravity, 5));
   page.figure("pyramid_overlap",
               say(R"(The largest overlap anywhere in the pyramid after the kick, with 2 and 8 coloured warm sweeps
-                  and with as many conjugate ones as it takes (@ at most). Slop: @ mm.)",
-                  solver.loops.sweeps, 1000 * slop),
+                  and with as many conjugate ones as it takes (@ at most).)",
+                  solver.loops.sweeps),
               overlaps(base, h));
 
   page.measure("largest overlap after 5 s", without_rounding(1000 * left, 1000 * slop), "mm");
