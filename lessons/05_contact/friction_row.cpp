@@ -10,6 +10,11 @@ namespace {
 /// Without what rounding leaves, to three digits.
 Value tidy(double value) { return {std::abs(value) < 1e-9 ? 0 : value, 3}; }
 
+/// A speed in words: 3 m/s down.
+std::string towards(double rate, const char* positive, const char* negative) {
+  return say("@ m/s @", tidy(std::abs(rate)), rate < -1e-9 ? negative : positive);
+}
+
 /// A box on its corner: how its corner moves, and the impulses so far.
 void draw_corner(Canvas& canvas, const OnACorner& box, double speed, double mass, const std::string& words,
                  const Rectangle& frame) {
@@ -19,11 +24,11 @@ void draw_corner(Canvas& canvas, const OnACorner& box, double speed, double mass
   canvas.look_at_page();
   canvas.text({(low ? beside : frame).centre().x(), frame.top() - (low ? 60 : 24)}, words,
               {.size = 22, .bold = true});
-  canvas.text(
-      {(low ? beside : frame).centre().x(), frame.y + (low ? 60 : 20)},
-      say(low ? "corner:\n@ m/s along, @ m/s up\nω = @ rad/s" : "corner: @ m/s along, @ m/s up\nω = @ rad/s",
-          tidy(box.slip()), tidy(box.approach()), tidy(box.spin())),
-      {.size = 18, .anchor = Anchor::bottom});
+  canvas.text({(low ? beside : frame).centre().x(), frame.y + (low ? 60 : 20)},
+              say(low ? "corner:\n@,\n@\nω = @ rad/s" : "corner: @, @\nω = @ rad/s",
+                  towards(box.slip(), "to the right", "to the left"), towards(box.approach(), "up", "down"),
+                  tidy(box.spin())),
+              {.size = 18, .anchor = Anchor::bottom});
   const Rectangle below = low ? picture : Rectangle{frame.x, frame.y + 78, frame.width, frame.height - 130};
   canvas.clip(below);
   canvas.look(fit({-1.1, -0.75, 2.2, 2.2}, below, 0));
@@ -122,9 +127,9 @@ void friction_row(const Setting& setting, Page& page) {
   page.formula("−μ λₙ ≤ λₜ ≤ μ λₙ", R"(-\mu\,\lambda_n \le \lambda_t \le \mu\,\lambda_n)");
   page.text(
       R"(λₙ is the *accumulated* λ of the contact, and λₜ the accumulated λ of friction. The two rows act at the same
-      point of the same body, so why compute JV again for the second? A box of @ kg comes straight down on its corner at
-      @ m/s. It is tilted by @°, its centre is to the right of the corner, and it is not rotating: the corner moves
-      straight down and does not slip.)",
+      point of the same body, so why compute JV again for the second? A square box of @ kg and 1 m comes straight down
+      on its corner at @ m/s. It is tilted by @°, its centre is to the right of the corner, and it is not rotating: the
+      corner moves straight down and does not slip.)",
       setting.mass, setting.speed, tilt);
   const std::string slips =
       say(R"(The push is straight up and passes to the left of the centre, so it turns the box
@@ -178,7 +183,7 @@ void friction_row(const Setting& setting, Page& page) {
             .say = say("In the end nothing changes any more: with μ = @ the bound is too small, and the "
                        "corner slips.",
                        setting.friction)}}));
-  within_the_cone(setting, page);
+  within_the_cone(setting, slip.value < 1e-6, page);
   page.text(
       R"(Friction needs λₙ for its bound. Which of the two rows should come first? Take a particle of @ kg that slides at
       @ m/s on level ground, μ = @: one contact, one row of friction.)",
@@ -202,11 +207,12 @@ void friction_row(const Setting& setting, Page& page) {
                   setting.speed, setting.friction),
               speeds(setting));
   page.text(
-      R"(With friction first, one cold sweep never slows the particle. A second sweep finds the λₙ of the first, and a warm
-      start keeps the λₙ of the step before: both hide the mistake, apart from the delay. With the normals first
+      R"(With friction first, one cold sweep never slows the particle. A second sweep finds the λₙ of the first, and a
+      warm start keeps the λₙ of the step before: both hide the mistake, apart from the delay. With the normals first
       friction is right from the first sweep. But the row solved last is satisfied best: after friction no normal row
-      corrects what friction has disturbed, and bodies may sink a little where they rub. No overlap matters more than
-      no slip, so Box2D 2 solves friction first and relies on the warm start; Box2D 3 takes the normals first.)");
+      corrects what friction has disturbed, and bodies may sink a little where they rub. Preventing overlap matters more
+      than preventing slip, so Box2D 2 solves the normals last and relies on the warm start; Box2D 3 takes them first
+      all the same.)");
 
   page.measure("slip after the normal's impulse", pressed.slip(), "m/s");
   page.measure("stopping distance", stopping_distance(setting, orders[0].solver), "m");

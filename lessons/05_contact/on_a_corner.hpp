@@ -72,7 +72,8 @@ class OnACorner {
   double friction_, pressed_ = 0, rubbed_ = 0;
 };
 
-/// The film of its rows, one after the other: the impulse moves in the cone of friction.
-void within_the_cone(const Setting& setting, course::Page& page);
+/// The film of its rows, one after the other, if it also moves sideways: the impulse moves in the cone of
+/// friction. `sticks_without`: whether its corner sticks if it does not.
+void within_the_cone(const Setting& setting, bool sticks_without, course::Page& page);
 
 }  // namespace byhand::contact

@@ -71,8 +71,9 @@ std::string at_the_corner(const OnACorner& box, double speed) {
 
 }  // namespace
 
-void within_the_cone(const Setting& setting, Page& page) {
+void within_the_cone(const Setting& setting, bool sticks_without, Page& page) {
   const double speed = setting.speed;
+  page.text("Now let the same box also move to the left at @ m/s.", setting.speed);
   OnACorner box(setting.mass, speed, setting.friction(), -speed);
   std::vector<Solved> states{{box, impulse_of(box)}};
   std::vector<pictures::Acts::Act> acts{{"V", at_the_corner(box, speed), palette::velocity}};
@@ -96,27 +97,28 @@ void within_the_cone(const Setting& setting, Page& page) {
   double unit = 0;
   for (const Solved& state : states) unit = std::max({unit, impulse_of(state.box).norm(), state.asked.norm()});
   const pictures::Acts film(acts);
-  page.sequence(
-      "within_the_cone",
-      say(R"(The same box, now also moving to the left at @ m/s: two sweeps within one step, slowed to @ s. Orange: the
+  page.sequence("within_the_cone",
+                say(R"(Two sweeps within one step, slowed to @ s. Orange: the
                     impulse at the corner so far; it stays in the cone |λₜ| ≤ μλₙ (dashed, μ = @). Green: the corner's
                     velocity.)",
-          setting.speed, film.seconds(), setting.friction),
-      Seconds{film.seconds()},
-      [shown = ConeFilm{film, states, setting.friction(), speed, unit}](Canvas& canvas, double time) {
-        shown.draw(canvas, time);
-      });
+                    film.seconds(), setting.friction),
+                Seconds{film.seconds()},
+                [shown = ConeFilm{film, states, setting.friction(), speed, unit}](Canvas& canvas, double time) {
+                  shown.draw(canvas, time);
+                });
   for (int sweep = 0; sweep < 60; ++sweep) {
     box.solve_normal();
     box.solve_friction();
   }
   const Quantity slip("slip/speed", std::abs(box.slip()) / speed);
-  page.text("@ @", "After many more sweeps nothing changes any more.",
-            page.verdict(
-                {{.when = slip < 1e-6, .say = "The corner sticks."},
-                 {.when = slip >= 1e-6,
-                  .say = say("With μ = @ the bound is too small for this box, and its corner slips on at @ m/s.",
-                             setting.friction, Value(std::abs(box.slip()), 3))}}));
+  page.text(
+      "@ @", "After many more sweeps nothing changes any more.",
+      page.verdict({{.when = slip < 1e-6, .say = "Here too the corner sticks."},
+                    {.when = slip >= 1e-6,
+                     .say = say(sticks_without ? "This time the corner has more speed to lose than μ = @ can "
+                                                 "take: it slips on at @ m/s."
+                                               : "With μ = @ it slips here too, at @ m/s.",
+                                setting.friction, Value(std::abs(box.slip()), 3))}}));
 }
 
 }  // namespace byhand::contact
