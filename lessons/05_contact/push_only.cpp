@@ -109,7 +109,7 @@ void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, doub
   const double half = std::max(0.9, 0.6 * stand.width);
   canvas.look(fit({-half, -0.12, 2 * half, 1.5}, below, 0));
   pictures::Shapes shapes = pictures::shapes_of(stand.box.scene());
-  for (auto& box : shapes.boxes) box.look = pictures::look_of_run(number);
+
   pictures::draw(canvas, shapes);
   const auto contacts = stand.box.contacts();
   for (std::size_t i = 0; i < stand.box.lambda().size(); ++i) {
@@ -180,10 +180,13 @@ void push_only(const Setting& setting, Page& page) {
           approaches half the weight.)",
                   width),
               over_sweeps(setting));
-  page.formula("left over:  s(1 − s)/(1 + s)² · gh = @ gh,   s = r²m/I = @   (nothing for s ≥ 1)",
-               R"(\frac{s(1-s)}{(1+s)^2}\,gh = @\,gh \text{ left over},\quad s = \frac{r^2m}{I} = @
-                  \quad(\text{nothing for } s \ge 1))",
-               leftover(width), s);
+  if (s < 1)
+    page.formula("left over:  s(1 − s)/(1 + s)² · gh = @ gh,   s = r²m/I = @ < 1",
+                 R"(\frac{s(1-s)}{(1+s)^2}\,gh = @\,gh \text{ left over},\quad s = \frac{r^2m}{I} = @ < 1)",
+                 leftover(width), s);
+  else
+    page.formula("s = r²m/I = @ ≥ 1:   nothing is left over",
+                 R"(s = \frac{r^2m}{I} = @ \ge 1{:}\quad \text{nothing is left over})", s);
   page.derivation(
       "Left over if each change is clamped",
       {{"(19) of a corner, with the arm r of the vertical push", "A₁₁ = A₂₂ = (1 + s)/m",
@@ -196,23 +199,27 @@ void push_only(const Setting& setting, Page& page) {
         R"(\text{no further change})"},
        {"speed of the box", "(λ₁ + λ₂)/m − gh = s(1 − s)/(1 + s)² gh",
         R"(\frac{\lambda_1+\lambda_2}{m} - gh = \frac{s(1-s)}{(1+s)^2}\,gh)"}});
-  const int sweeps = std::max(enough_sweeps, setting.sweeps());
+  constexpr int sweeps = enough_sweeps;
   std::vector<Stand> stands{{"1 × 1 m, each clamped", 1, {1, mass, h, sweeps, Clamp::each, lift}}};
   if (width != 1)
     stands.push_back({say("@ × 1 m, each clamped", width), width, {width, mass, h, sweeps, Clamp::each, lift}});
   stands.push_back({say("@ × 1 m, sum clamped", width), width, {width, mass, h, sweeps, Clamp::sum, lift}});
-  page.text(up > 0 ? R"(For a box at rest this is only @ mm/s. But gh could be any speed: drop boxes onto their two
-               corners from @ m, and a share of what the rows take away is left over again, together with a turn.)"
+  page.text(up > 0 ? R"(For a box at rest this is only @ mm/s. But the same happens at any speed of impact: drop
+               the boxes onto their two corners from @ m, and a share of that speed is left over, together with a
+               rotation.)"
                    : "Nothing is left over here (@ mm/s). Now drop boxes onto their two corners from @ m.",
             1000 * up * gravity * h, lift);
-  std::string fates = say("the square box @", fate(stands[0].box));
+  std::string fates = say("With each change clamped the square box @", fate(stands[0].box));
   if (width != 1) fates += say(" and the box of @ m @", width, fate(stands[1].box));
+  fates += say("; with the sum clamped @ @.", width == 1 ? "it" : say("the box of @ m", width),
+               fate(stands.back().box));
+  if (std::all_of(stands.begin(), stands.end(), [](const Stand& stand) { return fate(stand.box) == "stands"; }))
+    fates = "All stand: these boxes are too broad to show the mistake.";
   page.sequence(
       "hop_and_tip",
-      say(R"(Boxes fall flat from @ m, with @ a step. With each change clamped @; with the sum clamped @ @. Arrows: λ
-          of the step (mgh is 0.7 m long; more than @ mgh is drawn as that).)",
-          lift, several(sweeps, "sweep"), fates, width == 1 ? "it" : say("the box of @ m", width),
-          fate(stands.back().box), longest_arrow),
+      say(R"(Boxes fall flat from @ m, with @ a step. @ Arrows: λ of the step (mgh is 0.7 m long; more than @ mgh is
+          drawn as that).)",
+          lift, several(sweeps, "sweep"), fates, longest_arrow),
       Seconds{stand_seconds}, [stands, h, weight, turned = turns(stands)](Canvas& canvas, double time) mutable {
         const auto [above, under] = canvas.page().inset(16).split_rows(0.6, 10);
         const auto frames = above.cells(1, static_cast<int>(stands.size()), 16);
