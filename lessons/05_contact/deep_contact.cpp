@@ -148,8 +148,9 @@ void deep_contact(const Setting& setting, Page& page) {
       would stop a body that flies past the edge. So the solver only takes a plane from shapes that will meet within
       the step, and at the place where they will meet.)");
   page.text(
-      R"(Where C is negative, two bodies overlap, and (22) separates them by a share β a step, as it did with rods. But a
-      rod also pulls back; nothing pulls back a box that moves out of the ground.)");
+      R"(Where C is negative, two bodies overlap, and (22) separates them as it did with rods. But a rod also pulls
+      back; nothing pulls back a box that moves out of the ground. Here β is the share *per step*, so the rate is β/h
+      (lesson 4):)");
   page.equation(22, "JV = −(β/h)·C = −(@/(@ s))·(−@ m) = @ m/s",
                 R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot(-@\,\mathrm{m}) = @\,\mathrm{m/s})",
                 setting.beta, setting.h, setting.depth, speed);
@@ -170,14 +171,14 @@ void deep_contact(const Setting& setting, Page& page) {
        .tolerance = tolerance,
        .wrong = wrong,
        .hints = {"It is thrown upwards from that depth. How high does a throw rise?",
-                 "v²/(2g) less the depth, plus half a step: a step moves at the speed of its end.",
+                 "v²/(2g) less the depth, plus ½hv: the first step moves at the full v.",
                  say("(@ m/s)²/(2 · 9.81 m/s²) + @ m = @ m, and it begins @ m deep.", Value(speed, 4),
                      Value(half_step, 3), Value(throw_height + half_step, 4), setting.depth)},
        .hinted = std::max(0.0, throw_height + half_step - depth),
        .right =
            highest > 0
-               ? say(R"(Its lower side rises @ m above the ground: v²/(2g) less the depth, plus half a step, because
-                          a step moves at the speed of its end.)",
+               ? say("Its lower side rises @ m above the ground: v²/(2g) less the depth, plus ½hv, because the "
+                     "first step moves at the full v.",
                      Value(highest, 3))
                : "Gravity and the next corrections stop it at the surface or below."});
   page.text(
@@ -195,7 +196,7 @@ void deep_contact(const Setting& setting, Page& page) {
        {"insert v, and x = βd/(gh²)", "y > 0  ⟺  (x + ½)² > 2x/β", R"(y > 0 \iff (x+\tfrac12)^2 > 2x/\beta)"},
        {"the largest root of x² + (1 − 2/β)x + ¼ = 0, without the small ¼", "x > 2/β − 1", R"(x > 2/\beta - 1)"},
        {"back to d", "d > (1 − β/2) 2gh²/β²", R"(d > (1-\tfrac{\beta}{2})\frac{2gh^2}{\beta^2})"}});
-  page.text(R"(Counted in whole steps n the limit is @ m. @)", Value(by_steps, 4),
+  page.text(R"(With n a whole number the limit is @ m. @)", Value(by_steps, 4),
             page.verdict({{.when = Quantity("limit", by_steps, "m") > Quantity("deepest overlap", deepest, "m"),
                            .say = say("No overlap of this lesson, up to @ m, is as deep as that.", deepest)},
                           {.when = within(3,
@@ -212,16 +213,21 @@ void deep_contact(const Setting& setting, Page& page) {
   const bool seen = shallow >= 0.005;
   if (seen) runs.insert(runs.begin(), {say("@ m deep", Value(shallow, 2)), sunk(shallow, Baumgarte{beta})});
   const Chart chart = heights(runs, h);
+  const Curve& unlimited = chart.curves[seen ? 1 : 0];
+  const double filmed = *std::max_element(unlimited.y.begin(), unlimited.y.end());
   const double top = std::max(1.2, 1.1 + std::min(4.0, highest));
   page.sequence(
       "pop",
-      say(R"(Boxes come out of the ground, β = @.@ From @ m a box rises @ m above it; with the speed of the correction
+      say(R"(Boxes come out of the ground, β = @.@ From @ m a box rises @ m above it@; with the speed of the correction
           limited to @ m/s, @ m; with split impulse, @ m; with a soft contact, @ m.)",
           setting.beta,
-          seen ? say(" From @ m a box rises @ m above it.", Value(shallow, 2), Value(peak(runs[0].box, h), 3))
+          seen ? peak(runs[0].box, h) > 0 ? say(" From @ m a box rises @ m above it.", Value(shallow, 2),
+                                                Value(peak(runs[0].box, h), 3))
+                                          : say(" A box @ m deep does not leave it.", Value(shallow, 2))
                : "",
-          setting.depth, Value(highest, 3), setting.cap, Value(highest_capped, 3), Value(highest_split, 3),
-          Value(highest_soft, 3)),
+          setting.depth, Value(highest, 3),
+          filmed < highest - 0.01 ? say(" (@ m when the film ends)", Value(filmed, 3)) : "", setting.cap,
+          Value(highest_capped, 3), Value(highest_split, 3), Value(highest_soft, 3)),
       Seconds{pop_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
         for (NamedBox& run : runs)
           while (run.box.time < time - 0.5 * h) run.box.step(h);
@@ -266,8 +272,8 @@ void deep_contact(const Setting& setting, Page& page) {
       step, and a warm start does not remember it either. The price is a second solve of all rows. Split impulse does
       not make JV = 0 more accurate, and it does not help where forces are too large for the step (lesson 8).)");
   page.text(
-      R"(Engines also leave a few millimetres of overlap uncorrected, the *slop*, for another reason: a resting contact that
-      is corrected completely opens every few steps and has to be found again.)");
+      R"(Engines also leave a few millimetres of overlap uncorrected, the *slop*, for another reason: a resting contact
+      that is corrected completely opens every few steps and has to be found again.)");
 
   page.measure("peak above the ground", highest, "m");
   page.claim("speed at which it leaves", leaves_at, "m/s", is(speed, "βd/h, (22)", relative(1e-12)));
@@ -277,7 +283,7 @@ void deep_contact(const Setting& setting, Page& page) {
              is(by_steps, "a throw at βd/h, step by step", absolute(1e-6 * by_steps + 1e-10)), shallow_law);
   const double u = 2 / beta - 1;
   page.claim("the same beside the law for many steps", popped, "m",
-             is(law, "law of the pop: (1 − β/2)·2gh²/β², at most ¼ too large in x",
+             is(law, "law of the pop: (1 − β/2)·2gh²/β², x at most ¼ too large",
                 relative(1 - 0.5 * (1 + std::sqrt(1 - 1 / (u * u))) + 1e-6)),
              both(shallow_law, Quantity("β", beta) <= 0.5));
   page.claim("peak above the ground", highest, "m",
