@@ -150,19 +150,20 @@ void heavy_on_light(const Setting& setting, Page& page) {
                     "the common speed is vM/(M + m) = v r/(1 + r)", R"(v\,\frac{M}{M+m} = v\,\frac{r}{1+r})"},
                    {"the lower row stops the light box; the heavy one keeps that speed", "share r/(1 + r) a sweep",
                     R"(\frac{r}{1+r} \text{ a sweep})"}});
-  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "upper box has sunk by (m)"}};
+  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "upper box above its place (m)"}};
   for (NamedPile run : runs) {
     Curve curve{.label = run.name};
     while (run.pile.time < pair_seconds) {
       run.pile.step(h);
       curve.x.push_back(run.pile.time);
-      curve.y.push_back(std::clamp(sunk(run.pile), -2.0, 2.0));
+      curve.y.push_back(std::clamp(-sunk(run.pile), -2.0, 2.0));
     }
     chart.curves.push_back(std::move(curve));
   }
   page.sequence("heavy_on_light",
-                say("A box with @ of the one below, at rest at first. Dashed: where its upper side belongs.",
-                    ratio == 1 ? "the mass" : say("@ times the mass", setting.ratio)),
+                say("A box with @ of the one below, at rest at first: the first @ s. Dashed: where its upper side "
+                    "belongs.",
+                    ratio == 1 ? "the mass" : say("@ times the mass", setting.ratio), pair_seconds),
                 Seconds{pair_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
                   for (NamedPile& run : runs)
                     while (run.pile.time < time - 0.5 * h) run.pile.step(h);
@@ -179,7 +180,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
       R"(Started cold, the boxes sink into each other until the correction of the overlap makes up for what the sweeps
       leave, like the soft chain of lesson 3: here @. Started warm, λ reaches the weight over many steps. But meanwhile
       the overlap has grown, and λ remembers its correction too (lesson 4). With @, β = @ and h = @ s a pair comes to
-      rest within @ s @. @ Solved directly, a ratio of masses is just a number in A.)",
+      rest within @ s @. @ For a direct solve the ratio of the masses is just a number in A.)",
       high < 0.5 ? say("by @ mm after @ s", Value(1000 * without_rounding(high, 1), 3), settling)
                  : "so deep that they no longer stand on each other",
       several(sweeps, "sweep"), setting.beta, setting.h, settling,
@@ -189,8 +190,10 @@ void heavy_on_light(const Setting& setting, Page& page) {
       page.verdict({{.when = where(still < resting_range, sunk < resting_depth),
                      .say = say("This one has come to rest after @ s, @ mm below its place.", settling,
                                 Value(1000 * without_rounding(warm_high, 1), 3))},
-                    {.when = either(still >= resting_range, sunk >= resting_depth),
-                     .say = say("This one has not come to rest after @ s.", settling)}}));
+                    {.when = still >= resting_range,
+                     .say = say("This one does not come to rest: in the eighth second it moves by @ m.",
+                                Value(still.value, 3))},
+                    {.when = sunk >= resting_depth, .say = "This one has come down."}}));
   page.figure("over_ratio",
               say(R"(How far the upper box is from its place, at most, in the eighth second; @ a step. Dashed: from
           the matrices of Gauss–Seidel.)",
