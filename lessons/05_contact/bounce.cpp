@@ -146,17 +146,17 @@ Chart peaks_over_bounces(const Setting& setting) {
   const double e = setting.restitution, h = setting.h();
   constexpr int shown = 6;
   Chart chart{.x = {.label = "bounce"}, .y = {.label = "peak (m)", .scale = Scale::logarithmic}};
-  const auto add = [&](std::string name, const std::vector<double>& heights) {
-    Curve curve{.label = std::move(name), .style = CurveStyle::line_and_markers};
+  const auto add = [&](std::string name, const std::vector<double>& heights, CurveStyle style) {
+    Curve curve{.label = std::move(name), .style = style};
     for (std::size_t i = 0; i < heights.size(); ++i) {
       curve.x.push_back(static_cast<double>(i + 1));
       curve.y.push_back(heights[i]);
     }
     chart.curves.push_back(std::move(curve));
   };
-  add("on overlap, h", peaks(on_overlap(setting, e), h, shown));
-  add("solver, h", peaks(solved(setting, e), h, shown));
-  add(say("solver, h/@", fine), peaks(solved(setting, e), h / fine, shown));
+  add("on overlap, h", peaks(on_overlap(setting, e), h, shown), CurveStyle::line_and_markers);
+  add("solver, h", peaks(solved(setting, e), h, shown), CurveStyle::markers);
+  add(say("solver, h/@", fine), peaks(solved(setting, e), h / fine, shown), CurveStyle::line);
   Curve law{.label = "e²ⁿ", .style = CurveStyle::theory};
   for (int n = 1; n <= shown; ++n) {
     law.x.push_back(n);
@@ -164,7 +164,7 @@ Chart peaks_over_bounces(const Setting& setting) {
     chart.x.ticks.push_back({static_cast<double>(n), say("@", n)});
   }
   chart.curves.push_back(law);
-  chart.y.range = {0.2 * law.y.back(), 2 * setting.drop};
+  chart.y.range = {0.5 * law.y.back(), setting.drop};
   return chart;
 }
 
@@ -204,27 +204,28 @@ void bounce(const Setting& setting, Page& page) {
       Seconds{bounce_seconds},
       [film = film(setting)](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.text(
-      R"(With e = 1 it should come back to @ m. Reversed on overlap its peaks are @ m: it *gains* energy, because V already
-      holds this step's gravity when it is reversed, and the gh that pulled down now pushes up. The ball starts up gh
-      faster than it came down and climbs for one step longer; each peak is higher by about h·v, the height of the last
-      step's fall.)",
+      R"(With e = 1 it should come back to @ m. Reversed on overlap its peaks are @ m: it *gains* energy, because V
+      already holds this step's gravity when it is reversed, and the gh that pulled down now pushes up. The ball starts
+      up gh faster than it came down and climbs for one step longer; each peak is higher by about h·v, the height of the
+      last step's fall.)",
       setting.drop, overlap);
   page.text(
-      R"(The solver solves twice. In the first solve the row closes the gap, as always (b = C/h), and the positions move: the
-      ball arrives *on* the ground. Then the rows are solved again with b = e JV⁻. Which speed is JV⁻? Not the speed
-      before the step, which lacks the last part of the fall, nor the speed after it, which has too much. The heights of
-      a falling ball lie on a parabola that meets the ground within the step; JV⁻ is its speed there. For the ball to
-      start up at e times that speed, V needs another ½gh. For one ball:)");
+      R"(The solver solves twice. In the first solve the row closes the gap, as always (b = C/h), and the positions
+      move: the ball arrives *on* the ground. Then the rows are solved again with b = e JV⁻. Which speed is JV⁻? Not the
+      speed before the step, which lacks the last part of the fall, nor the speed after it, which has too much. The
+      heights of a falling ball lie on a parabola that meets the ground within the step; JV⁻ is its speed there. For the
+      ball to start up at e times that speed, V needs another ½gh. For one ball:)");
   page.excerpt("lessons/05_contact/bounce.cpp", "two_solves");
   page.text(
       R"(The threshold keeps a resting ball from rattling. The solver does the same for all contacts together; its second
       solve continues from the λ of the first, so that the sum is clamped:)");
   page.excerpt("solver/contact/restitution.hpp", "parting");
   page.text(
-      R"(The solver's peaks with e = 1 are @ m. The steps of a fall from rest lie on a parabola whose top is gh²/8 = @ m
-      above the start, so the ball should return to @ m, and a step may miss that top by as much again. With e = @ each
-      bounce leaves e of the speed, and so e² of the height:)",
-      own, Value(gravity * h * h / 8, 2), Value(drop + gravity * h * h / 8, 5), setting.restitution);
+      R"(The solver's highest peak with e = 1 is at @ m. The steps of a fall from rest lie on a parabola whose top is
+      gh²/8 = @ m above the start, so the ball should return to @ m, and a step may miss that top by as much again. With
+      e = @ each bounce keeps the share e of the speed, and so e² of the height:)",
+      Value(*std::max_element(own.begin(), own.end()), 6), Value(gravity * h * h / 8, 2),
+      Value(drop + gravity * h * h / 8, 6), setting.restitution);
   page.figure("peaks",
               say(R"(Peaks after each bounce, e = @, dropped from @ m. Dashed: e²ⁿ of that. The solver's ball
                   comes to rest once it meets the ground at @ m/s or less.)",

@@ -126,8 +126,8 @@ void cradle(const Setting& setting, Page& page) {
       R"(Momentum is right in all of them, and solved at once the energy is right as well. But real balls do something
       else, nearly the last of these: they collide one after the other. (Nearly, because touching balls are springs:
       their stiffness decides how much the collisions overlap in time, and the other balls recoil a little.) One sweep
-      gives another result, and one sweep from the other end yet another; @ and @ of the energy are left. More sweeps do
-      not approach real balls either. They approach the first result, in which every row is satisfied.)",
+      from the first contact gives another result (@ of the energy is left), and one from the last yet another (@). More
+      sweeps do not approach real balls either. They approach the first result, in which every row is satisfied.)",
       Value(sum(one_forward, 2), 2), Value(sum(one_backward, 2), 2));
   page.derivation(
       "All contacts at once",

@@ -9,10 +9,11 @@ int main(int argc, char** argv) {
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 480, 0.05}, "time step"),
       .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of an overlap that a step takes away"),
-      .width = lesson.parameter("width", 0.2, "m", {0.1, 2}, "of the box that stands on two contacts, 1 m high"),
+      .width =
+          lesson.parameter("width", 0.2, "m", {0.1, 2}, "width of the box that stands on two contacts, 1 m high"),
       .friction = lesson.parameter("friction", 0.4, "1", {0.05, 1}, "coefficient μ"),
-      .boxes = lesson.parameter("boxes", 20, "1", {2, 30}, "of the stack"),
-      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps over the stack in a step"),
+      .boxes = lesson.parameter("boxes", 20, "1", {2, 30}, "number of boxes in the stack"),
+      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps in a step (steps 7, 7b)"),
   };
   const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
     return [=](course::Page& page) { step(setting, page); };
@@ -51,7 +52,8 @@ int main(int argc, char** argv) {
                  {"Half the step: which bounces come closer to the law?",
                   "./lessons/run contact --step 5 --set h=1/120"}},
        .next =
-           R"(Write both clamps yourself: `./lessons/run practise 9` and 10.
+           R"(Write both clamps yourself, of contact and friction: `./lessons/run practise 9` and
+           `./lessons/run practise 10`.
 
            Two rows made a contact with friction. In lesson 6 rows make joints: pins, welds, sliders, stops and
            motors.)"});

@@ -89,8 +89,8 @@ void no_answer(const Setting& setting, Page& page) {
                  {1 / steep, "That is μ = 1/tanθ: the push then passes through the centre and turns nothing."}},
        .hints = {"How much does λₙ lift the tip by itself, and how much does μλₙ sink it?",
                  "1 + 3cos²θ = 3μ sinθ cosθ.", "(1 + 3 · 0.2)/(3 · 0.4) = …"},
-       .right = "4/3, and no other angle needs less: rubber can reach that."});
-  Chart chart{.x = {.label = "θ from level (°)"}, .y = {.label = "lift of the tip for each unit of λₙ (1/m)"}};
+       .right = "4/3; every other angle needs more. Rubber reaches that."});
+  Chart chart{.x = {.label = "θ from level (°)"}, .y = {.label = "lift of the tip per unit of λₙ (over 1/mass)"}};
   for (const double friction : {0.5, 1.0, 4.0 / 3, 2.0}) {
     Curve curve{.label = say("μ = @", Value(friction, 3))};
     for (int degree = 2; degree <= 88; degree += 2) {
@@ -99,7 +99,7 @@ void no_answer(const Setting& setting, Page& page) {
     }
     chart.curves.push_back(std::move(curve));
   }
-  chart.references.push_back({.value = 0, .label = "pressing does not help"});
+  chart.references.push_back({.value = 0, .label = "below: pressing drives the tip down"});
   page.figure("lift_of_the_tip",
               "How the ground's push moves the tip of a rod that slides, tip first. Below zero a harder push "
               "brings the tip down faster.",
@@ -119,8 +119,8 @@ void no_answer(const Setting& setting, Page& page) {
       Value(friction, 3), Value(friction / mu, 3),
       page.verdict(
           {{.when = where(slip<1e-6, beside_weight> 1),
-            .say = say(R"(They end, after @, when the slip has ended: the tip stands still with λₙ = @ N·s, @
-                                times mgh, an impact without a collision.)",
+            .say = say(R"(This ends after @, when friction has stopped the tip: λₙ is then @ N·s, @ times mgh,
+                                an impact without a collision.)",
                        several(end.sweeps, "sweep"), Value(end.lambda[0], 3), Value(beside_weight.value, 3))}}));
 
   double least = INFINITY;
