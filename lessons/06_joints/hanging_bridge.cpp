@@ -33,10 +33,10 @@ void hanging_bridge(const Setting& setting, Page& page) {
   const Bridge bridge_now = at_rest(setting);
   const double plank = setting.mass * gravity, weight = planks * plank, pull = -force(bridge_now, 0).x();
   page.text(
-      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve takes at
-      once. Statics tells two things about the state of rest. Each anchor carries half the weight; and the horizontal
-      part of the pull, H, is the same in every pin, because no other force is horizontal. So a plank's slope is the
-      weight between its middle and the lowest point of the bridge, over H:)",
+      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve takes
+      at once. Statics tells two things about the state of rest. The vertical parts of the pull at the two anchors are
+      half the weight each; its horizontal part, H, is the same in every pin, because no other force is horizontal. So a
+      plank's slope is the weight between its middle and the lowest point of the bridge, over H:)",
       planks, setting.length, setting.mass, 2 * (planks + 1));
   page.formula(
       "tan θᵢ = (i − (n + 1)/2) w/H,   w = @ N, H = @ N",
@@ -71,7 +71,8 @@ void hanging_bridge(const Setting& setting, Page& page) {
   page.figure(
       "bridge",
       R"(The bridge at rest; arrows: the force of each pin on the body to its right (the last one: on the anchor).
-              Below: their horizontal parts, all the same, and their vertical parts, the weight beyond the pin.)",
+              Below: their horizontal parts, all the same, and their vertical parts, the weight between pin and lowest
+              point.)",
       [=](Canvas& canvas) {
         const auto [upper, lower] = canvas.page().inset(16).split_rows(0.48, 10);
         const double span = planks * setting.length;
@@ -82,11 +83,11 @@ void hanging_bridge(const Setting& setting, Page& page) {
         draw(canvas, chart, lower);
       });
   page.text(
-      R"(A flatter bridge has a larger H: each anchor here carries @ N, @ of the whole weight, and a level bridge would need
-      an infinite pull. That is why this one hangs in an arc. The tension all along the chain makes bridges hard for
-      sweeps (lesson 3).)",
+      R"(A flatter bridge has a larger H. Here each anchor is pulled with √(H² + (W/2)²) = @ N, @ of the whole weight W,
+      although it bears only half of it; a level bridge would pull infinitely hard. The tension all along the chain
+      makes bridges hard for sweeps (lesson 3).)",
       Value(force(bridge_now, 0).norm(), 4), Value(force(bridge_now, 0).norm() / weight, 3));
-  const std::string source = "statics: the weight beyond the pin";
+  const std::string source = "statics: the weight between the pin and the lowest point";
   page.claim("vertical force of each pin, largest difference over the weight", worst, "1",
              is(0, source, absolute(1e-4)));
   page.claim("horizontal force, largest difference from pin to pin over the weight", worst_level, "1",
