@@ -27,7 +27,8 @@ std::string complaint(FourBar linkage, double h) {
     linkage.step(h);
     return "";
   } catch (const SingularSystem& error) {
-    return error.what();
+    const std::string words = error.what();  // and after a semicolon, what to do
+    return words.substr(0, words.find(';'));
   }
 }
 
@@ -127,7 +128,7 @@ struct FlatFilm {
       canvas.look(fit({-1.1 * a, -1.25 * a, c + 2.2 * a, 2.5 * a}, below, 4));
       canvas.clip(below);
       canvas.line({0, 0}, {c, 0}, {palette::muted, 1.4, Dash::dotted});
-      if (trail.size() > 1) canvas.trail(trail, {palette::velocity, 3});
+      if (trail.size() > 1) canvas.trail(trail, {palette::series(static_cast<int>(i)), 3});
       pictures::draw(canvas, pictures::rods_and_bobs(linkage.scene));
       canvas.clip({});
       canvas.look_at_page();
@@ -167,7 +168,7 @@ void flat(const Setting& setting, Page& page) {
       R"(So A has no inverse, and the direct solve says so instead of dividing by zero: "@". (A sweep does not notice: it
       only divides by the blocks on the diagonal.)
 
-      With two arms there is such a moment too: *flat*, with all bars in one line. There the four pins' rows along that
+      With two arms there is such a pose too: *flat*, with all bars in one line. There the four pins' rows along that
       line repeat one another, and the rank falls from @ to @:)",
       complaint(third, h), static_cast<int>(J.rows()), at_flat);
   Curve least{.label = "measured", .style = CurveStyle::line_and_markers},
@@ -203,12 +204,11 @@ void flat(const Setting& setting, Page& page) {
   const auto kept = [&](int way) { return energies.curves[way].y.back(); };
   page.text(
       R"(One independent row fewer, one degree of freedom more. In the flat pose the linkage has two, and *two motions are
-      possible from here*: it can stay a parallelogram, or fold into a crossed linkage, whose arms turn against each
-      other, at first as (c + a) to (c − a), @ to 1. The velocities decide between them, not J. What if they fit
-      neither? J at the flat pose allows them, so the first step goes there, and the next one finds pins that have
-      separated: @ % of the energy is left after @ s. That share hardly depends on h or the bars' length; the masses
-      set it.)",
-      Value(-1 / ratio, 3), Value(100 * kept(2), 2), flat_seconds);
+      possible from here*: it can stay a parallelogram, or fold into a crossed linkage, whose arms turn in opposite
+      directions, at first as (c + a) to (c − a), @ to 1. The velocities decide between them, not J.
+      What if they fit neither, say 1 to −1? J at the flat pose allows such velocities too, so the first step moves the
+      pins apart, and the next has to pull them together again. After @ s @ % of the energy is left.)",
+      Value(-1 / ratio, 3), flat_seconds, Value(100 * kept(2), 2));
   page.sequence(
       "ways_on",
       say(R"(The same flat pose with three choices of velocity, without gravity; regularisation @. Only two
@@ -220,9 +220,9 @@ void flat(const Setting& setting, Page& page) {
   page.text(
       R"(**Regularisation** lets the direct solve pass this pose: add a small share ε of A's own diagonal D to A, (A +
       εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little, by γλ. The cost: pins separate at
-      a speed of about ε times their load. The benefit: λ is bounded. Suppose the right-hand pivot is @ mm too far out.
-      In the flat pose the bars cannot reach it and pull at each other in vain; only ε limits that pull:)",
-      1000 * misfit);
+      a speed of about ε times their load. The benefit: λ is bounded. Suppose the right-hand pivot is @ mm too far out
+      (β = @). In the flat pose the bars cannot reach it and pull at each other in vain; only ε limits that pull:)",
+      1000 * misfit, setting.beta);
   page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, where mgh = @ N·s",
                R"(\lambda = \frac{\beta\,\delta/h}{\varepsilon\,(4/m_a + 2/m_c)} = @\,\mathrm{N\,s}
                   \text{ for } \varepsilon = @, \text{ where } mgh = @\,\mathrm{N\,s})",

@@ -63,7 +63,7 @@ struct FourBarFilm {
     const Point bob = length * from_straight_down<PlaneBody>(pendulum.angle(time));
     pictures::draw(canvas, {.bobs = {{bob, 1}}, .rods = {{{0, 0}, bob}}, .anchors = {{0, 0}}});
     canvas.look_at_page();
-    canvas.text({right.centre().x(), right.top() - 16}, say("a rod of @ m", Value(length, 3)),
+    canvas.text({right.centre().x(), right.top() - 16}, say("pendulum of @ m", Value(length, 3)),
                 {.size = 20, .colour = palette::theory});
     renderer::draw(canvas, pictures::grown_to(beside, time), lower);
   }
@@ -81,8 +81,8 @@ void four_bar_linkage(const Setting& setting, Page& page) {
   const int numbers = static_cast<int>(J.cols()), rows = static_cast<int>(J.rows()), freedom = numbers - rank(J);
 
   page.text(
-      R"(Two arms of @ m and @ kg hang from the ground and carry a coupler of @ m and @ kg between their lower
-      ends: three bodies, four pins.)",
+      R"(Two arms (a = @ m long, m_a = @ kg) hang from the ground and carry a coupler (c = @ m, m_c = @ kg) between
+      their lower ends: three bodies, four pins.)",
       setting.length, setting.mass, bars.coupler, setting.coupler);
   page.predict(
       {.ask = "How many degrees of freedom does this four-bar linkage have?",
@@ -97,9 +97,9 @@ void four_bar_linkage(const Setting& setting, Page& page) {
                  "3 · 3 − 4 · 2 = …"},
        .right = say("@ velocities less @ rows.", numbers, rows)});
   page.text(
-      R"(This linkage *is* a pendulum. The coupler stays level, so it moves as if all its mass were at the arms' ends; each
-      arm is a uniform rod about its end, with ⅓ of its mass in the inertia and ½ in the weight. Two arms and a coupler
-      therefore swing like a bob on a massless rod of the length)");
+      R"(This linkage *is* a pendulum. The coupler stays level, so it moves as if all its mass were at the arms' ends;
+      each arm is a uniform rod about its end, with ⅓ of its mass in the inertia and ½ in the weight. Two arms and a
+      coupler therefore swing like a bob on a massless rod of the length)");
   page.formula("ℓ = a (⅔ m_a + m_c)/(m_a + m_c) = @ m",
                R"(\ell = a\,\frac{\tfrac23 m_a + m_c}{m_a + m_c} = @\,\mathrm{m})", length);
   page.derivation("The length of the equivalent pendulum",
@@ -110,10 +110,10 @@ void four_bar_linkage(const Setting& setting, Page& page) {
                    {"a bob m on a rod ℓ has ½mℓ²θ̇² and −mgℓ cos θ; compare the ratio",
                     "ℓ = a (⅔ m_a + m_c)/(m_a + m_c)", R"(\ell = a\,\frac{\tfrac23 m_a + m_c}{m_a + m_c})"}});
   const Swing swing = swing_of(bars, pendulum, h), fine = swing_of(bars, pendulum, h / 2);
-  Curve exact{.label = "that pendulum", .style = CurveStyle::theory};
+  Curve exact{.label = "pendulum, at t + h/2", .style = CurveStyle::theory};
   for (int i = 0; i <= 150; ++i) {
     exact.x.push_back(i * four_bar_seconds / 150);
-    exact.y.push_back(degrees(pendulum.angle(exact.x.back())));
+    exact.y.push_back(degrees(pendulum.angle(exact.x.back() + h / 2)));
   }
   page.sequence(
       "four_bar",
@@ -147,8 +147,8 @@ void four_bar_linkage(const Setting& setting, Page& page) {
   const Quantity ahead("arms beside the pendulum at t + h/2", degrees(swing.off), "°"),
       late("beside the pendulum at t", degrees(swing.off_at_t), "°");
   page.text(
-      R"(To compare the angles, note that symplectic Euler's positions are half a step ahead of the clock, because it moves
-      with the velocity at the step's *end*. @)",
+      R"(To compare the angles, note that symplectic Euler's positions are half a step ahead of the clock, because it
+      moves with the velocity at the step's *end*. @)",
       page.verdict(
           {{.when = where(ahead < 2, ahead < late),
             .say = say(R"(Compared with the pendulum at t + h/2 the arms are at most @° off in @ s; compared at
