@@ -15,7 +15,7 @@ using Held = Simulation<PlaneBody>;
 
 constexpr double bar_seconds = 1.6, bar_settles = 6;  // [s]
 constexpr double weak_settles = 40;                   // √(L/g)
-constexpr double stop_at = pi / 3, enough = 0.6;      // below level [rad]; a motor that can hold [mgl]
+constexpr double stop_at = pi / 4, enough = 0.6;      // below level [rad]; a motor that can hold [mgl]
 
 /// A uniform bar hinged at the origin, at rest at an angle below level [rad].
 Held arm(const Setting& setting, double below) {
@@ -153,10 +153,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   expect(degrees(balance),
          R"(There its strength balances the weight's torque. But the bar arrives at speed and needs
                            farther to lose it.)");
-  expect(
-      90,
-      R"(It would with a damper, whose torque vanishes at rest. A motor told to stand still, with a bound, is dry
-             friction in the joint.)");
+  expect(90, "It would with a damper, whose torque vanishes as the bar slows down. This torque does not.");
   expect(0, "Holding it level takes mgl/2, and the motor has less.");
   if (rest.half_swings > 1)
     expect(degrees(law), "It stops there first, but there the weight needs more than the motor has.");
@@ -178,14 +175,15 @@ void bounds_on_turns(const Setting& setting, Page& page) {
                            point φ to the next, φ′: ½(sin φ′ − sin φ) = @ |φ′ − φ|.)",
                       setting.strength, Value(degrees(law), 4), setting.strength, setting.strength)},
        .hinted = answer,
-       .right = rest.half_swings == 1 ? say("½ sin φ = @ φ has the solution φ = @°; there the weight needs @ mgl.",
-                                            setting.strength, Value(degrees(law), 4), Value(needs, 3))
-                                      : say("It comes to rest after @ half swings, the first of them to @°.",
-                                            rest.half_swings, Value(degrees(law), 4))});
+       .right = rest.half_swings == 1
+                    ? say("½ sin φ = @ φ has the solution φ = @°.", setting.strength, Value(degrees(law), 4))
+                    : say("It comes to rest after @ half swings, the first of them to @°.", rest.half_swings,
+                          Value(degrees(law), 4))});
   const std::vector<Shown> shown{{say("stop at @°", Value(degrees(stop_at), 3)), arm_on_stop(setting)},
                                  {say("motor of @ mgl", enough), held(setting, enough)},
                                  {say("motor of @ mgl", setting.strength), weak}};
-  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "torque (mgl)", .range = {{-0.25, 1}}}};
+  Chart chart{.x = {.label = "time (s)", .range = {{0, bar_seconds}}},
+              .y = {.label = "torque (mgl)", .range = {{-0.25, 1}}}};
   for (const Shown& one : shown) {
     Curve curve{.label = one.name};
     Held now = one.arm;
@@ -206,8 +204,9 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   chart.references.push_back({Reference::Across::y, 0.5, "the weight's torque, level"});
   page.sequence(
       "stop_and_motors",
-      R"(A bar let go level, and the torque of its stop or motor (λ/h; the blow of the stop goes off the
-                chart). The arrows are that torque.)",
+      say(R"(Three bars let go level: one has a stop @° below, one a strong motor, one the weak motor. Their torques
+          (λ/h; the stop's blow goes off the chart) in the first @ s, also drawn as arrows.)",
+          Value(degrees(stop_at), 3), bar_seconds),
       Seconds{bar_seconds},
       [film = BarsFilm{shown, setting, chart}](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   const Quantity needed("½|cos φ|", needs), available("τ/mgl", strength);
@@ -229,14 +228,14 @@ void bounds_on_turns(const Setting& setting, Page& page) {
       ½mgl cos @° = @ mgl. The strong motor gives exactly the weight's torque and not its full strength: a bound is just
       a limit. The weak motor is at its limit while the bar moves.)",
       Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(torque(on_stop, setting), 4));
-  page.table({"One row, seven machines", "JV is", "asks for", "λ within"},
+  page.table({"One kind of row, seven machines", "JV is", "asks for", "λ within"},
              {{"dry friction in a joint", "ω₂ − ω₁", "0", "±τh"},
               {"a conveyor belt", "slip along t at a contact", "the belt's speed", "±μλₙ"},
               {"rolling resistance, with the lever a", "ω₂ − ω₁ of a wheel on the ground", "0", "±aλₙ"},
-              {"drilling resistance of a disc R in space", "n·(ω₂ − ω₁)", "0", "±⅔μRλₙ"},
-              {"two gears that mesh outside", "r₁ω₁ + r₂ω₂", "0", "no bound"},
-              {"a rack on its pinion", "t·v₂ − r₁ω₁", "0", "no bound"},
-              {"a screw of pitch p in space", "a·v − (p/2π) a·ω", "0", "no bound"}});
+              {"torsional friction of a disc of radius R, in space", "n·(ω₂ − ω₁)", "0", "±⅔μRλₙ"},
+              {"two external gears", "r₁ω₁ + r₂ω₂", "0", "no bound"},
+              {"a rack and pinion", "t·v₂ − r₁ω₁", "0", "no bound"},
+              {"a screw of lead p, in space", "a·v − (p/2π) a·ω", "0", "no bound"}});
   page.measure("the weak motor's bar, below level", degrees(found), "°");
   page.claim("where the weak motor holds the bar, below level", found, "rad",
              is(rest.angle, "½(sin φ′ − sin φ) = (τ/mgl) |φ′ − φ|, half swing by half swing",
