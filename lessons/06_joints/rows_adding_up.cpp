@@ -162,7 +162,7 @@ void rows_adding_up(const Setting& setting, Page& page) {
        {say("x, y:  λ = (@, @) N·s", Value(stages[2].lambda[0], 3), Value(stages[2].lambda[1], 3)),
         say("Two rows: a pin. One motion is left, the turn at @ rad/s.", Value(pinned, 3)), palette::force},
        {say("x, y, φ:  λ_φ = @ N·m·s", Value(stages[3].lambda[2], 3)),
-        "Three rows: a weld. Its torque (the bow) stops the turn. No motion is left.", palette::force},
+        "Three rows: a weld. Its torque (the curved arrow) stops the turn. No motion is left.", palette::force},
        {say("φ to @ rad/s:  λ_φ = @ N·m·s", motor_speed, Value(stages[4].lambda[2], 3)),
         "The third row with a speed as its target: a motor, strong enough here.", palette::force}});
   double largest_push = 0, largest_turn = 0;

@@ -88,7 +88,7 @@ void draw_column(Canvas& canvas, const Column& column, const Bodies<PlaneBody>& 
   canvas.look_at_page();
   const Point cell((frame.width - 26) / 6, 38);
   const Point at(frame.x + 26, numbers.top() - 20);
-  draw_grid(canvas, column.matrices.J, at, cell, {{"x₁", "y₁", "ω₁", "x₂", "y₂", "ω₂"}, column.rows});
+  draw_grid(canvas, column.matrices.J, at, cell, {{"ẋ₁", "ẏ₁", "ω₁", "ẋ₂", "ẏ₂", "ω₂"}, column.rows});
   canvas.text({frame.x, at.y() + 12}, "J", {.size = 20, .anchor = Anchor::left, .bold = true});
   const Point below(at.x() + 1.5 * cell.x(), at.y() - 3 * cell.y() - 50);
   canvas.text({below.x() - 26, below.y() + 12}, "A", {.size = 20, .anchor = Anchor::left, .bold = true});
@@ -103,7 +103,7 @@ void rows_to_joints(const Setting& setting, Page& page) {
   const std::vector<Column> columns{
       {"pin", "two rows", matrices_of(bodies, pin<PlaneBody>(bodies, 0, 1, here)), {"x", "y"}},
       {"weld", "three rows", matrices_of(bodies, weld<PlaneBody>(bodies, 0, 1, here)), {"x", "y", "φ"}},
-      {"slider", "two rows", matrices_of(bodies, slider<PlaneBody>(bodies, 0, 1, here, along)), {"t", "φ"}},
+      {"slider", "two rows", matrices_of(bodies, slider<PlaneBody>(bodies, 0, 1, here, along)), {"n", "φ"}},
       {"stop, motor",
        "one row, beside a pin's two",
        matrices_of(bodies, motor<PlaneBody>(turn<PlaneBody>(bodies, 0, 1), 0, 0)),
@@ -112,8 +112,8 @@ void rows_to_joints(const Setting& setting, Page& page) {
   const double length = setting.length;
 
   page.text(
-      R"(The article says it in one sentence: a system of constraints can form a joint. Put two bars of @ m and @ kg end to
-      end and ask that the two ends, P₁ and P₂, stay together. That is C = P₂ − P₁ = 0, a *vector*: one row for each
+      R"(The article says it in one sentence: a system of constraints can form a joint. Put two bars of @ m and @ kg end
+      to end and ask that the two ends, P₁ and P₂, stay together. That is C = P₂ − P₁ = 0, a *vector*: one row for each
       axis of the world. Differentiate and isolate V, and each row has the form of (14), (15) and (16), along e_x or
       e_y:)",
       setting.length, setting.mass);
@@ -126,9 +126,9 @@ void rows_to_joints(const Setting& setting, Page& page) {
   rows_adding_up(setting, page);
   page.figure(
       "joints",
-      say(R"(Two bars of @ m and @ kg, four ways to join them, and their numbers: above J, with a column for each
-                  velocity of the two bodies, below A = JM⁻¹Jᵀ (1/kg, 1/(kg m) and 1/(kg m²)). Rows: x and y of the
-                  world, t across the rail, φ the turn.)",
+      say(R"(Two bars of @ m and @ kg, three joints and the row of a stop or motor: above J, with a column for each
+                  velocity, below A = JM⁻¹Jᵀ (1/kg, 1/(kg m) and 1/(kg m²)). Rows: x and y of
+                  the world, n across the rail, φ the turn.)",
           setting.length, setting.mass),
       [=](Canvas& canvas) {
         const Rectangle paper = canvas.page().inset(18, 16);
@@ -147,9 +147,9 @@ void rows_to_joints(const Setting& setting, Page& page) {
       **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a **rope**. All of them at work:)");
   page.sequence(
       "six_joints",
-      say(R"(The motions that joints leave free: three equations, then three bounds. The stop is at @°, the motor turns once
-          in the film, the rope is slack at first.@ Straight and curved arrows: the joint's force and torque on the bar
-          (λ/h).)",
+      say(R"(The motions that joints leave free: three equations, then three bounds. The stop is at @°, the motor turns
+          once in the film, the rope is slack at first.@ Straight and curved arrows: the joint's force and torque on the
+          bar (λ/h).)",
           Value(degrees(sample_stop), 3),
           std::abs(sample_pace(length) - 1) < 0.05
               ? ""

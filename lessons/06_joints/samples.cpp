@@ -18,9 +18,9 @@ struct Words {
 constexpr Words words[] = {{"pin", "2 rows"},
                            {"weld", "3 rows"},
                            {"slider", "2 rows"},
-                           {"pin and stop", "2 rows, and λ ≥ 0"},
-                           {"pin and motor", "2 rows, and |λ| ≤ τh"},
-                           {"rope", "λ ≥ 0"}};
+                           {"pin and stop", "2 rows + 1 with λ ≥ 0"},
+                           {"pin and motor", "2 rows + 1 with |λ| ≤ τh"},
+                           {"rope", "1 row, λ ≥ 0"}};
 
 /// What is seen of each, in lengths of a bar.
 constexpr Rectangle swinging{-1.1, -1.1, 2.2, 1.6}, turning{-1.1, -1.1, 2.2, 2.2};

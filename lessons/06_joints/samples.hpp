@@ -13,7 +13,7 @@ namespace byhand::joints {
 inline constexpr double sample_seconds = 1.6;
 /// Seconds of the joints in one of the film: bars of all lengths look alike, and √(L/g) is their time.
 inline double sample_pace(double length) { return std::sqrt(length / 2); }
-inline constexpr double sample_stop = -1;  // angle of the stop from level [rad]
+inline constexpr double sample_stop = -pi / 3;  // angle of the stop from level [rad]
 
 /// Six bars, each joined to the ground in another way, which move without touching each other.
 class Samples {
