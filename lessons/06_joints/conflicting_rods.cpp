@@ -107,8 +107,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
   const auto sum = [](const Rods& rods) { return lambda(rods, 0) + lambda(rods, 1); };
   page.text(
       R"(Hang a bob of @ kg from two rods of @ m in place of one, between the same two points. Their rows are equal, and
-      A = (1/m)[1 1; 1 1] has no inverse. Only the *sum* of the two λ is determined: it carries the weight, mgh = @ N·s.
-      How the two share it depends on the solver:)",
+      A = (1/m)[1 1; 1 1] has no inverse. Only the *sum* of the two λ is determined: it carries the weight, mgh = @ N·s
+      (pulls are counted positive). How the two share it depends on the solver:)",
       setting.mass, setting.length, weight * h);
   page.text(
       R"(
@@ -122,8 +122,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
   for (const auto& [rods, name] :
        {std::pair{&first, "cold"}, std::pair{&biased, "warm, from opposed λ"}, std::pair{&shared, "regularised"}})
     // Two lengths.
-    page.claim(say("the same rod twice, @: sum of λ", name), sum(*rods), "N s",
-               is(-weight * h, "the weight", absolute(1e-6 * weight * h + 1e-12 * m)));
+    page.claim(say("the same rod twice, @: sum of the pulls", name), -sum(*rods), "N s",
+               is(weight * h, "the weight", absolute(1e-6 * weight * h + 1e-12 * m)));
   const Rods start = two_rods(setting, gap, warm), end = after(start, conflict_seconds, h);
   const double steps = std::round(end.time / h);
   const double a_step = sweeps * m * beta * gap / h;  // what a step adds to either λ
@@ -186,17 +186,17 @@ void conflicting_rods(const Setting& setting, Page& page) {
   chart.y.range = {{0.2 * least, 4 * most}};
   page.sequence(
       "calm_picture",
-      say(R"(@ s in @ frames: two rods, drawn side by side, one for each dashed length. The bob stands still.
-                    Right: the force with which they act against each other.)",
-          conflict_seconds, frames),
+      say(R"(@ s of the run. The two rods lie on one another; they are drawn side by side. Dashed: their two lengths.
+          Right: rod against rod, half the difference of their forces.)",
+          conflict_seconds),
       Frames{frames},
       [film = ConflictFilm{start, length, gap, h, weight, chart}](Canvas& canvas, double frame) mutable {
         film.draw(canvas, frame);
       });
   page.text(
-      R"(After @ s the rods act against each other with @ times the bob's weight, and nothing moves. Everything that reads λ
-      is then wrong: a joint that breaks above some force, friction with its bound μλ, an arrow in a debugger. And if
-      one rod is removed, the other starts its next step with all of that λ. So **test for conflicts by |λ|, not by
+      R"(After @ s the rods act against each other with @ times the bob's weight, and nothing moves. Everything that
+      reads λ is then wrong: a joint that breaks above some force, friction with its bound μλ, an arrow in a debugger.
+      And if one rod is removed, the other starts its next step with all of that λ. So **test for conflicts by |λ|, not by
       looking**, and bound the growth:)",
       conflict_seconds, Value(grown / h / weight, 3));
   const Rods chilled = after(cures[1].rods, 2, h), soft = after(cures[2].rods, conflict_seconds, h),

@@ -121,8 +121,8 @@ void driven_crank(const Setting& setting, Page& page) {
   const Run run = run_of(options, h), fine = run_of(options, h / 2);
 
   page.text(
-      R"(Pins, a slider and a motor in one machine: the motor turns a crank of @ m at @ rad/s, a rod of @ m joins it by two
-      pins to a piston, and a slider guides the piston. Three bodies of @ kg have nine velocities; three pins and a
+      R"(Pins, a slider and a motor in one machine: the motor turns a crank of @ m at @ rad/s, a rod of @ m joins it by
+      two pins to a piston, and a slider guides the piston. Three bodies of @ kg have nine velocities; three pins and a
       slider take eight of them, and the motor's row takes the last. So the motion is fixed, and all of it has a closed
       form.)",
       setting.crank, setting.speed, setting.length, setting.mass);
@@ -182,12 +182,12 @@ void driven_crank(const Setting& setting, Page& page) {
   const Condition calm = both(Quantity("ωh", turn) <= 0.15, Quantity("l/r", l / r) >= 1.5);
   const Quantity off("off/r", run.position_off / r);
   page.text(
-      R"((The first steps of the torque are not drawn: the run starts without drift, and these steps build it up.) Apart
-      from rounding the crank turns at its speed: a motor with enough strength is a row like any other. @)",
+      R"((The first steps of the torque are not drawn. The run starts without drift, and while that builds up the torque
+      jumps.) Up to rounding the crank keeps its target speed: a motor with enough strength is a row like any other. @)",
       page.verdict(
           {{.when = both(calm, off < 0.1),
             .say = say(
-                R"(The piston is at most @ mm off, @ of that at half the step: the error of each step's tangent, which
+                R"(The piston is at most @ mm off, @ times that at half the step: the error of each step's tangent, which
                        is proportional to (ωh)², and ωh = @.)",
                 Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2),
                 Value(turn, 3))},
@@ -196,8 +196,8 @@ void driven_crank(const Setting& setting, Page& page) {
                        Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2))},
            {.when = off >= 0.1,
             .say = say(
-                R"(But the piston is up to @ mm off, on a crank of @ m: the machine comes apart. ωh = @ is no step
-                       for it.)",
+                R"(But the piston is up to @ mm off, on a crank of @ m: the machine comes apart. ωh = @ is far too long
+                a step for it.)",
                 Value(1000 * run.position_off, 3), setting.crank, Value(turn, 2))}}));
 
   page.measure("piston off at most", 1000 * run.position_off, "mm");

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   lesson.deeper("A rope", with(ropes));
   lesson.deeper("A spring is a soft row", with(soft_rows));
   lesson.deeper("A bridge", with(hanging_bridge));
-  lesson.deeper("A ragdoll on a stair", with(ragdoll_on_a_stair));
+  lesson.deeper("A ragdoll on the stairs", with(ragdoll_on_a_stair));
 
   lesson.closing(
       {.now_you_know =
@@ -40,14 +40,14 @@ int main(int argc, char** argv) {
             are one row within bounds.)",
             "A motor told to stand still, with a bound, is dry friction in the joint.",
             "Rows that act through the same arm belong in one block; row by row a sweep leaves A₁₂²/(A₁₁A₂₂).",
-            "Machines made of joints follow their closed forms: periods, pistons, torques.",
-            R"(Degrees of freedom are velocities less *rank*. Where rows repeat, A is singular, and a regularisation makes λ
-            unique.)",
+
+            R"(Degrees of freedom are velocities less *rank*. Where rows repeat, A is singular, and a regularisation
+            makes λ unique.)",
             R"(With a warm start the λ of rows that contradict each other grows in every step while nothing moves: test
             |λ|, not the picture.)"},
        .tries = {{"A box as large as its arm: does it still matter whether you solve a block or rows?",
                   "./lessons/run joints --step 2 --set side=2"},
-                 {"A slightly stronger motor: where does the bar come to rest now?",
+                 {"A stronger motor: where does the bar rest now?",
                   "./lessons/run joints --step 5 --set strength=0.4"},
                  {"One sweep a step: how fast does λ grow now?", "./lessons/run joints --step 7 --set sweeps=1"}},
        .next = "Lesson 7 leaves the plane: the same code with three axes of rotation."});

@@ -85,9 +85,9 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
   const double at_rest = passed(doll);
 
   page.text(
-      R"(Ten boxes, nine pins, two stops on each pin, and contacts wherever something touches: a ragdoll of @ kg falls onto
-      a stair. No line of the solver is about ragdolls. (@ a step of @ s, β = @, @ mm of slop.))",
-      Value(weight / gravity, 3), several(sweeps, "sweep"), Value(step, 3), 0.2, 1);
+      R"(Ten boxes, nine pins, two stops on each pin, and contacts wherever something touches: a ragdoll of @ kg falls
+      onto a flight of stairs. Nothing in the solver knows about ragdolls. (@ a step of 1/@ s, β = @, @ mm of slop.))",
+      Value(weight / gravity, 3), several(sweeps, "sweep"), std::round(1 / step), 0.2, 1);
   page.sequence(
       "ragdoll",
       R"(Head, torso, arms and legs are boxes; each joint is a pin with two stops. Orange: a joint at which a stop
@@ -109,10 +109,10 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
       });
   page.text(
       R"(A joint's stop is one more row for the sweeps, so an impact can drive a joint past its stop, here by up to @°. At
-      rest only @° of that is left, no stop ever pulled, and the ground carries @ N, the doll's weight.)",
+      rest only @° of that is left, no stop ever pulled, and ground and stairs carry @ N, the doll's weight.)",
       Value(degrees(worst), 2), Value(degrees(at_rest), 2), Value(carried(doll), 5));
   page.claim("least λ of any stop in any step", least, "N m s", is_at_least(0, "its bound, kept exactly"));
-  page.claim(say("what the ground and the stairs carry after @ s", doll_settles), carried(doll), "N",
+  page.claim(say("what ground and stairs carry after @ s", doll_settles), carried(doll), "N",
              is(weight, "the doll's weight", relative(1e-3)));
   page.claim("stops passed at rest", at_rest, "rad", is_at_most(2e-3, "nothing pushes any more"));
 }

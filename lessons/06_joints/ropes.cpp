@@ -62,12 +62,12 @@ void ropes(const Setting& setting, Page& page) {
                 .tolerance = 4,
                 .wrong = {{180, "The bob would arrive there without speed, held up by the rope."},
                           {90, "There it is still fast: bending its path takes twice the weight."}},
-                .hints = {"The rope's pull bends the bob's path, and carries or lifts off a part of its weight.",
+                .hints = {"The rope's pull bends the path; above the anchor gravity helps, below it hinders.",
                           "T = m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ).",
                           "T = mg(2 + 3 cos θ), and it goes slack where T = 0."},
                 .hinted = degrees(std::acos(-2.0 / 3)),
                 .right = say("The pull mg(2 + 3 cos θ) becomes zero where cos θ = −2/3, at @°; in this run at @°.",
-                             Value(degrees(std::acos(-2.0 / 3)), 4), Value(degrees(std::acos(rope.let_go)), 4))});
+                             Value(degrees(std::acos(-2.0 / 3)), 5), Value(degrees(std::acos(rope.let_go)), 5))});
   page.derivation("Where the pull ends", {{"energy, from the lowest point with v₀² = 4gL",
                                            "v² = 4gL − 2gL(1 − cos θ)", R"(v^2 = 4gL - 2gL\,(1-\cos\theta))"},
                                           {"along the rope: mass times v²/L towards the anchor",
@@ -76,14 +76,14 @@ void ropes(const Setting& setting, Page& page) {
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "pull or push, |λ|/h (mg)"}};
   chart.curves = {{.label = "rope", .x = rope.time, .y = rope.pull},
                   {.label = "rod", .x = rod.time, .y = rod.pull}};
-  chart.y.range = {{0, 6.5}};
+  chart.y.range = {{0, 5.5}};
   for (Curve& curve : chart.curves)
     for (double& pull : curve.y)
-      if (pull > 6.5) pull = NAN;
+      if (pull > 5.5) pull = NAN;
   page.sequence(
       "rope_and_rod",
       R"(The same throw on a rope and on a rod. On the rope the bob leaves the circle and flies a parabola until it is
-      caught; the rod pushes it on.)",
+      caught (that blow is off the chart); the rod begins to push and keeps it on the circle.)",
       Seconds{seconds}, [=](Canvas& canvas, double time) {
         const auto [left, right] = canvas.page().inset(16).panels(0.5, 20);
         canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
@@ -109,8 +109,8 @@ void ropes(const Setting& setting, Page& page) {
       });
   page.text(
       R"(No code switches here. While the rope is slack, the row lets the bob close the gap within the step and no more,
-      JV ≥ −C/h. To hold it back, (17) would need a λ that pushes, which is clamped to zero, and the bob flies. When it
-      would go beyond the rope's length, the same row catches it.)");
+      JV ≥ −C/h. To keep it on the circle, (17) would need a λ that pushes; the clamp makes that zero, and the bob
+      flies. When it would go beyond the rope's length, the same row catches it.)");
   page.claim("cos θ where the rope goes slack", rope.let_go, "1",
              is(-2.0 / 3, "mg(2 + 3 cos θ) = 0", absolute(8 * setting.h / finer / std::sqrt(length) + 1e-3)));
 }

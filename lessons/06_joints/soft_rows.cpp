@@ -89,7 +89,7 @@ void soft_rows(const Setting& setting, Page& page) {
                  say("T is @ times as large: @ · @ mm = …", heavy + 1, heavy + 1, Value(1000 * light, 3))},
        .right = "C = T/(mω²), and T is the weight of both."});
   Chart sags{.x = {.label = "ω (rad/s)", .scale = Scale::logarithmic},
-             .y = {.label = "sag (m)", .scale = Scale::logarithmic}};
+             .y = {.label = "stretch (m)", .scale = Scale::logarithmic}};
   for (const double load : {0.0, heavy}) {
     Curve measured{.label = load == 0 ? "bob alone" : say("and @ more below", load), .style = CurveStyle::markers},
         law{.label = load == 0 ? "T/(mω²)" : "", .style = CurveStyle::theory};
@@ -102,7 +102,7 @@ void soft_rows(const Setting& setting, Page& page) {
     sags.curves.push_back(measured);
     sags.curves.push_back(law);
   }
-  sags.references.push_back({Reference::Across::x, 1 / h, "ωh = 1"});
+
   Chart rings{.x = {.label = "step"}, .y = {.label = "stretch / initial stretch"}};
   double worst = 0;
   for (const double turn : {0.1, 0.5, 2.0, 10.0}) {
@@ -125,7 +125,7 @@ void soft_rows(const Setting& setting, Page& page) {
   }
   page.figure(
       "soft_rows",
-      R"(Left: how far a spring stretches that is tuned to its own bob; points are runs, dashed the law. Right: a spring
+      R"(Left: the stretch of a spring tuned to its own bob; points are runs, dashed the law. Right: a spring
       without damping, pulled out and let go. The step itself damps it, a stiff spring more than a weak one.)",
       [sags, rings](Canvas& canvas) {
         const Rectangle paper = canvas.page();
@@ -134,13 +134,13 @@ void soft_rows(const Setting& setting, Page& page) {
         draw(canvas, rings, cells[1]);
       });
   page.text(
-      R"(As an explicit force, stepped by symplectic Euler, a spring becomes unstable beyond ωh = 2. This row does not, for
-      any k, c and h, as long as it is solved exactly. It loses energy instead: at ωh = 2 not one swing is left. A
-      spring that is meant to swing needs ωh well below 1; a spring that is only meant to be *firm* may be as stiff as
-      you like, and you know its stretch beforehand.)");
-  page.claim("sag of the bob alone", light, "m",
+      R"(As an explicit force, stepped by symplectic Euler, a spring becomes unstable beyond ωh = 2. This row does not,
+      for any k, c and h, as long as it is solved exactly. It loses energy instead: at ωh = 2 the motion is gone within
+      one swing. A spring that is meant to swing needs ωh well below 1; a spring that is only meant to be *firm* may be
+      as stiff as you like, and you know its stretch beforehand.)");
+  page.claim("stretch with the bob alone", light, "m",
              is(gravity / (shown * shown), "law of the soft row: T/(m_eff ω²) = g/ω²", relative(1e-6)));
-  page.claim(say("sag with @ times its mass below", heavy), loaded, "m",
+  page.claim(say("stretch with @ times its mass below", heavy), loaded, "m",
              is(gravity * (1 + heavy) / (shown * shown), "law of the soft row: T/(m_eff ω²)", relative(1e-4)));
   page.claim("energy after a step over before, at most, ωh up to 10", worst, "1",
              is_at_most(1 + 1e-9, "implicit Euler never gains"));
