@@ -41,7 +41,7 @@ struct FlipsFilm {
 
 FlipsFilm film_of(const Setting& setting) {
   FlipsFilm film;
-  film.below = {.x = {.label = "time (s)"}, .y = {.label = "Ω_y, about the book's own y (rad/s)"}};
+  film.below = {.x = {.label = "time (s)"}, .y = {.label = "spin about the book's own y (rad/s)"}};
   const FreeTop exact(moments_of(setting), first_spin(setting, setting.wobble));
   double fastest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -100,7 +100,8 @@ Eigen::Vector3d explicitly(const Eigen::Vector3d& I, const Eigen::Vector3d& spin
 //! [explicit]
 
 //! [implicit]
-/// One step of the implicit term: the same with the mean of the spins before and after, found by repetition.
+/// One step of the implicit term: the same with the mean of the spins before and after, found by fixed-point
+/// iteration.
 Eigen::Vector3d implicitly(const Eigen::Vector3d& I, const Eigen::Vector3d& spin, double h) {
   Eigen::Vector3d after = spin;
   for (int i = 0; i < 50; ++i) {
@@ -132,27 +133,32 @@ void flips(const Setting& setting, Page& page) {
   }
   const Flight& implicit_flight = flights[2];
   const double measured = between_flips(implicit_flight);
+  const auto turning = flips_of(implicit_flight);
+  const double first_flip = turning.empty() ? INFINITY : turning.front();
 
   page.text(
       R"(A real book turns over, again and again; try it, with a rubber band round it. A spin about the middle axis is
       unstable: the small part about the other axes grows until the book flips; then it spins steadily for a while, and
-      flips back. By the exact solution of Euler's equations, an elliptic sine, this book flips every @ s, half the
-      period.)",
+      flips back. Euler's equations have an exact solution in elliptic functions; by it this book flips every @ s, half
+      a period.)",
       half_period);
   page.text(
       R"(So a step has to add the term. There are two ways. *Explicit*: from the spin at the start of the step. In the
       body's own axes, where I is three numbers:)");
   page.excerpt("lessons/07_space/flips.cpp", "explicit");
   page.text(
-      R"(*Implicit*: from the mean of the spins before and after, about which the book turns in the step. These are three
-      equations for three unknowns; with steps as short as here repetition solves them, and the solver uses Newton's
-      method.)");
+      R"(*Implicit*: from the mean of the spins before and after, about which the book turns in the step. These are
+      three equations in three unknowns. With steps this short a fixed-point iteration solves them; the solver uses
+      Newton's method.)");
   page.excerpt("lessons/07_space/flips.cpp", "implicit");
   page.sequence(
       "three_books",
-      R"(The same book thrown without the term, with the explicit term and with the implicit one. The yellow end shows which
-      way up it is; the arrow is Iω, which should not move. Below: the spin about the book's own y; dashed, the exact
-      one.)",
+      say(R"(The same book thrown without the term, with the explicit term and with the implicit one. The yellow end shows
+          which way up it is; the arrow is Iω, which should not move. Below: the spin about the book's own y; dashed, the
+          exact one.@)",
+          first_flip < flip_seconds
+              ? ""
+              : " The film ends before the first flip: a faster spin or a larger wobble brings it sooner."),
       Seconds{flip_seconds}, [film = film_of(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   const Eigen::Vector3d kick = moments.cwiseProduct(spin).cross(spin);
@@ -180,9 +186,10 @@ void flips(const Setting& setting, Page& page) {
   page.figure(
       "what_is_kept",
       say(R"(Energy (left) and angular momentum (right) over @ s, the largest relative change so far. Without the
-                  term energy is conserved and angular momentum is not; the explicit term conserves neither, the
+                  term energy is conserved and angular momentum is not; the explicit term conserves neither@, the
                   implicit one both, to rounding.)",
-          flight_seconds),
+          flight_seconds,
+          flew_apart(flights[1], flight_seconds) ? " (×: stopped, at a hundred times the spin)" : ""),
       [=](Canvas& canvas) {
         const Rectangle paper = canvas.page();
         const auto [left, right] = paper.inset(20, paper.is_high() ? 20 : 60).panels(0.5, 24);
@@ -190,7 +197,7 @@ void flips(const Setting& setting, Page& page) {
         renderer::draw(canvas, momentum, right);
       });
   if (flew_apart(flights[1], flight_seconds))
-    page.text("With the explicit term the book spins a hundred times as fast as at first after @ s.",
+    page.text("With the explicit term the book spins a hundred times faster after @ s than when it was thrown.",
               flights[1].back().time);
   else
     page.text("After @ s the explicit book has @ times the energy it was thrown with.", flight_seconds,
