@@ -126,15 +126,16 @@ void same_code(const Setting& setting, Page& page) {
               block of three rows, has three times the first bar.)",
       how_many());
   page.text(
-      R"(A row has @ numbers instead of @, and the velocity of a body @ instead of @. So a sweep takes @ times as many
-      multiplications. Nothing else changes for sweeps and β, because they only see rows. A warm start has one more
-      task: the tangents of friction turn from step to step, and a remembered λₜ has to turn with them.)",
-      space.row, plane.row, space.velocity, plane.velocity, space.row / plane.row);
+      R"(A row has @ numbers instead of @, and the velocity of a body @ instead of @. So a row costs @ times as many
+      multiplications in a sweep, and a joint @ times as many, with three rows instead of two. Nothing else changes for
+      sweeps and β, because they only see rows.)",
+      space.row, plane.row, space.velocity, plane.velocity, space.row / plane.row,
+      3 * space.row / (2 * plane.row));
 
   const Twins pair = twins(setting);
   page.text(
-      R"(To check that, let the same rod swing in both models: `hinged_rod<M>`, @ m long, @ kg, released at @°, held by two
-      rows in the plane and by three in space.)",
+      R"(To check that, let the same rod swing in both models: `hinged_rod<M>`, @ m long, @ kg, released at @°, held by
+      two rows in the plane and by three in space.)",
       setting.length, setting.mass, setting.angle);
   page.figure(
       "twins",

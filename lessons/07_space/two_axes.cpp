@@ -133,7 +133,7 @@ void two_axes(const Setting& setting, Page& page) {
        .answer = pyramid / disc,
        .unit = "1",
        .tolerance = 0.03,
-       .wrong = {{1, "Both rows brake fully, at right angles to each other: together √2 times as much."},
+       .wrong = {{1, "That would be so if friction did not depend on direction. Bounded axis by axis it does."},
                  {0.5, "Both rows brake fully, but at right angles: together √2 times as much, not twice."}},
        .hints = {"Each row brakes with all of μmg. How long is the sum of the two?", "v² = 2 a s, with a = √2 μg",
                  "s₂/s₁ = a₁/a₂: 1/√2 = …"},
@@ -149,22 +149,23 @@ void two_axes(const Setting& setting, Page& page) {
           pucks, setting.speed),
       Seconds{std::min(2.5, 1.15 * v / a)}, [film](Canvas& canvas, double time) { film.draw(canvas, time); });
   page.text(
-      R"(Two things are wrong with each axis by itself. Between the axes the brake is stronger, by up to √2. And the velocity along one
-      axis ends before the other, so the path *bends*: v₁ ends after v₁/μg, v₂ after v₂/μg. @ For short steps, a puck
+      R"(Bounding each axis by itself is wrong in two ways. Between the axes friction is too strong, by up to √2. And v₁
+      reaches zero after v₁/μg, v₂ after v₂/μg, so the path *bends*.@ For short steps, a puck
       that starts at the angle φ stops in the direction)",
-      setting.heading == 45 ? "(Only at 0°, 45° and 90° it does not.)" : "");
+      setting.heading == 45 ? " (Only at 0°, 45° and 90° it does not.)" : "");
   page.formula("tan φ' = tan² φ:  from @° to @°", R"(\tan\varphi' = \tan^2\varphi: \quad @^\circ \to @^\circ)",
                setting.heading, Value(degrees(std::atan(std::pow(std::tan(heading), 2))), 4));
   page.derivation("Why tan φ' = tan² φ",
                   {{"each axis brakes with all of μg", "s₁ = (v cosφ)²/2μg,   s₂ = (v sinφ)²/2μg",
                     R"(s_1 = \frac{(v\cos\varphi)^2}{2\mu g}, \quad s_2 = \frac{(v\sin\varphi)^2}{2\mu g})"},
-                   {"the direction of the place where it stops", "tan φ' = s₂/s₁ = tan² φ",
+                   {"the direction of its stopping point", "tan φ' = s₂/s₁ = tan² φ",
                     R"(\tan\varphi' = \frac{s_2}{s_1} = \tan^2\varphi)"},
-                   {"all these places", "s₁ + s₂ = v²/2μg: a square, not a circle",
+                   {"all stopping points", "s₁ + s₂ = v²/2μg: a square, not a circle",
                     R"(s_1 + s_2 = \frac{v^2}{2\mu g}: \text{ a square, not a circle})"}});
   page.text(
-      R"(And the solver chooses the axes: turn t₁ and t₂ by 45°, and other pucks get farthest. Coulomb's law has one bound,
-      for the length of the impulse. So the two rows are one block, solved together and scaled together:)");
+      R"(And the solver chooses the axes: turn t₁ and t₂ by 45°, and other pucks get farthest. Coulomb's law has one
+      bound, for the length of the impulse. So the two rows are one block, solved together and scaled together. (t₁ and
+      t₂ turn from step to step; a warm start has to turn the remembered λₜ with them.))");
   page.excerpt("lessons/07_space/two_axes.cpp", "disc");
   page.figure("where_they_stop",
               "Where the pucks of one half stop, seen from above. Dashed: the square and the circle of each bound "
