@@ -93,27 +93,23 @@ void left_out(const Setting& setting, Page& page) {
       constraint and has no row; a step must add it, as it adds gravity. The article's step does not.)");
   turning_with_the_body(setting, careless, page);
   const auto flipped = flips_of(flight).size();
-  page.choose(
-      {.ask = say(
-           R"(The solver steps the book for @ s without the term; no force acts. Does the run keep the energy ½ω·Iω,
-                  the direction of Iω, or both?)",
-           term_seconds),
-       .options =
-           {{"both",
-             R"(Iω keeps its direction only if ω turns. Without the term ω stays, and the book carries I round
-                     with it.)"},
-            {"the energy",
-             R"(ω stays in the world, and the book turns about it, so ω stays in the book too, and so does
-                           ½ω·Iω. But Iω goes round ω, where it should stay.)"},
-            {"the direction of Iω", "ω × Iω would see to that, and it is left out."},
-            {"neither",
-             "Look at ω in the axes of the body: it does not change, and there I does not change either."}},
-       .answer = energy > 1e-9   ? (turned > 1e-6 ? 3 : 2)
-                 : turned > 1e-6 ? 1
-                                 : 0,
-       .hints = {"Which line of the step could change ω?",
-                 "ω stays in the world, and the book turns about ω: what is ω in the axes of the book?",
-                 "In the book's axes ω and I both stay, and so does Iω there. And in the world?"}});
+  const double answer = degrees(turned);
+  page.predict(
+      {.ask =
+           say(R"(The solver steps the book for @ s without the term, so ω stays. How far does Iω get from where it
+                  was, if it begins at @° from ω?)",
+               term_seconds, Value(degrees(alpha), 3)),
+       .answer = answer,
+       .unit = "deg",
+       .tolerance = 0.05 * answer,
+       .wrong = {{0, "Iω keeps its direction only if ω turns."},
+                 {degrees(alpha), "That is its angle from ω. Where is it after half a turn about ω?"},
+                 {360, "It goes all the way round ω, but stays near it."}},
+       .hints = {"Which line of the step could change ω? None: ω stays, in the world and in the book.",
+                 "In the book's axes ω and I both stay, and so does Iω there. And in the world?",
+                 say("Iω is carried round ω on a cone. Its other side is 2 · @° away.", Value(degrees(alpha), 3))},
+       .hinted = 2 * degrees(alpha),
+       .right = "The book turns about ω and carries Iω with it, to the other side of a cone about ω."});
   page.figure(
       "left_out",
       say(R"(Without the gyroscopic term ω stays where it is, at @° from Iω, and Iω is carried round with the book:
@@ -121,8 +117,8 @@ void left_out(const Setting& setting, Page& page) {
           Value(degrees(alpha), 3)),
       [=, chart = off_over_time(flight)](Canvas& canvas) { draw_fan(canvas, flight, chart); });
   page.text(
-      R"(It looks harmless: energy, ω and the length of Iω are all kept. But the *direction* of Iω is wrong by up to @°, and
-      a real book thrown like this moves quite differently: it turns over every @ s. The next step shows how, with
+      R"(It looks harmless: energy, ω and the length of Iω are all kept. But the *direction* of Iω is wrong by up to @°,
+      and a real book thrown like this moves quite differently: it turns over every @ s. The next step shows how, with
       another throw.)",
       Value(degrees(turned), 3), Value(FreeTop(moments, spin).period() / 2, 3));
   page.measure("Iω off by up to", degrees(turned), "deg");

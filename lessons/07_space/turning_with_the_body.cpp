@@ -59,8 +59,8 @@ struct TurningFilm {
     const auto name = [&](const Point3& at, const char* text, Colour colour) {
       labels.place(space.project(at), text, {.size = 22, .colour = colour, .halo = 3}, 14);
     };
-    if (spins == 1) name(omega, "ω", palette::velocity);
-    if (adds == 1) name(whole, "Iω", palette::error);
+    if (spins == 1) name(1.07 * omega, "ω", palette::velocity);
+    if (adds == 1) name(1.07 * whole, "Iω", palette::error);
     acts.draw(canvas, right, time);
   }
 };
@@ -74,9 +74,8 @@ void turning_with_the_body(const Setting& setting, double careless, Page& page) 
   const Instant& first = flight[0];
   std::vector<pictures::Acts::Act> acts{
       {say("|ω| = @ rad/s", Value(first.omega.norm(), 3)), "The book spins about ω.", palette::velocity},
-      {say("Iω = ΣI_i ω_i e_i = @ N·m·s", Value(first.momentum.norm(), 3)),
-       "Each part lies along an axis of the book: its moment I_i times its part of the spin. They add up to Iω.",
-       palette::constraint}};
+      {say("|Iω| = @ kg m²/s", Value(first.momentum.norm(), 3)),
+       "Iω = ΣI_i ω_i e_i: each part lies along an axis e_i of the book.", palette::constraint}};
   for (std::size_t k = 0; k < stretches; ++k) {
     const Instant& now = flight[(k + 1) * slow_steps];
     acts.push_back(
@@ -84,7 +83,7 @@ void turning_with_the_body(const Setting& setting, double careless, Page& page) 
              Value(std::round(1e6 * degrees(between(now.momentum, first.momentum))) / 1e6, 2)),
          k == 0 ? "Angles from the start. The axes have turned with the book, and I with them; the parts still "
                   "add up to the same Iω. So ω must turn."
-                : "The book has turned further.",
+                : "",
          palette::error});
   }
   double largest = 0;
@@ -94,7 +93,8 @@ void turning_with_the_body(const Setting& setting, double careless, Page& page) 
   page.sequence(
       "turning_with_the_body",
       say(R"(The book with the term, as it really moves: @ s slowed to @ s, in steps of @ ms. Green: ω and the path of
-                    its tip. Blue: the parts of Iω along the book's own axes. Purple: their sum Iω, which stays.)",
+                    its tip. Blue: the components of Iω along the book's own axes. Purple: their sum, Iω, which stays
+                    put.)",
           Value(stretches * stretch * turn, 2), film.seconds(), Value(1000 * h, 2)),
       Seconds{film.seconds()},
       [shown = TurningFilm{film, flight, moments}](Canvas& canvas, double time) { shown.draw(canvas, time); });
