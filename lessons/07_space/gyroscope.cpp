@@ -54,7 +54,7 @@ double mean_rate(const Run& run) { return run.azimuth.back() / run.time.back(); 
 void draw_wheel(Space& space, const Point3& place, double shade) {
   const auto pale = [&](Colour colour) { return mix(palette::paper, colour, shade); };
   const Point3 axis = place.normalized();
-  pictures::add_ring(space, place, axis, wheel, 0.028, pale(palette::constraint));
+  pictures::add_ring(space, place, axis, wheel, 0.028, pale(palette::muted));
   const Point3 out = axis.unitOrthogonal();
   for (const Point3& spoke : {out, Point3(axis.cross(out))})
     space.rod(place - wheel * spoke, place + wheel * spoke, 0.007, pale(palette::body));
@@ -92,10 +92,11 @@ void gyroscope(const Setting& setting, Page& page) {
             without = let_go(setting, Gyroscopic::none, as_ball);
 
   page.text(
-      R"(Now gravity acts on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s. The other end of the
-      axle is held on a post by a ball joint of three rows, @ m from the wheel. The axle starts at the steady rate at
-      which it goes round the post; released from rest it would also nod a little.)",
-      setting.mass, wheel_rate, arm);
+      R"(Now gravity acts on a spinning body: a wheel, a thin ring of @ kg and radius R = @ m, spinning at @ rad/s on an
+      axle. The other end of the axle is held on a post by a ball joint of three rows, @ m from the wheel. The axle
+      starts at the steady rate at which it goes round the post; released from rest it would also nutate: nod up and
+      down.)",
+      setting.mass, wheel, wheel_rate, arm);
   HeavyTop twice = top;
   twice.spin *= 2;
   const double change = twice.precession(level)[0] / exact;
@@ -124,8 +125,9 @@ void gyroscope(const Setting& setting, Page& page) {
       R"(\frac{d(I\omega)}{dt} = mga \quad\Rightarrow\quad \dot\varphi = \frac{ga}{R^2\omega} = @\ \mathrm{rad/s})",
       exact);
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "turned about the vertical (deg)"}};
-  const auto curve = [&](const char* name, const Run& of, double by) {
-    Curve measured{.label = name},
+  // Colours as in step 6.
+  const auto curve = [&](const char* name, const Run& of, double by, Colour colour) {
+    Curve measured{.label = name, .colour = colour},
         theory{.label = name == std::string("implicit") ? "exact" : "", .style = CurveStyle::theory};
     measured.x = of.time;
     for (const double azimuth : of.azimuth) measured.y.push_back(degrees(azimuth));
@@ -134,8 +136,8 @@ void gyroscope(const Setting& setting, Page& page) {
     chart.curves.push_back(std::move(measured));
     chart.curves.push_back(std::move(theory));
   };
-  curve("implicit", run, exact);
-  curve("left out", without, as_ball);
+  curve("implicit", run, exact, palette::series(2));
+  curve("left out", without, as_ball, palette::series(0));
   page.figure(
       "gyroscope",
       say(R"(The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: its angle, with the
@@ -143,8 +145,9 @@ void gyroscope(const Setting& setting, Page& page) {
           precession_seconds),
       [=](Canvas& canvas) { draw_run(canvas, run, chart); });
   page.text(
-      R"(Without the gyroscopic term it also goes round, and looks right, but at @ times the rate. The solver then treats the
-      wheel as a ball, all of whose moments are ½mR². No picture tells you that; a number does.)",
+      R"(Without the gyroscopic term it also goes round, and looks right, but at @ times the rate: the solver then
+      treats the wheel as a ball, with ½mR², its moment across the axle, about every axis. No picture tells you that; a
+      number does.)",
       Value(mean_rate(without) / mean_rate(run), 3));
 
   const double turned = wheel_rate * setting.h / 64;
