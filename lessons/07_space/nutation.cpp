@@ -110,7 +110,7 @@ void nutation(const Setting& setting, Page& page) {
                R"(\dot u^2 = \frac{2}{L^2}\Bigl(\frac{E}{m} + gLu\Bigr)(1-u^2) - \Bigl(\frac{L_y}{mL^2}\Bigr)^2)");
   page.text(
       R"(is a cubic in u. Two of its roots lie between −1 and 1: the two cones, at @° and @°. The time from one to the other
-      and back is an elliptic integral. One nutation takes @ s and goes @° round the vertical.)",
+      and back, 2∫du/|u̇|, is an elliptic integral. One nutation takes @ s and goes @° round the vertical.)",
       setting.angle, degrees(pendulum.other_angle()), exact.period, degrees(exact.precession));
   page.derivation(
       "Why u̇² is a cubic in u",
@@ -133,8 +133,7 @@ void nutation(const Setting& setting, Page& page) {
   const double kept = angular_momentum(bob.scene.bodies())[1], given = pendulum.angular_momentum(mass);
   page.choose(
       {.ask =
-           "The run has an error in its angle and in its energy. How large is the error of its angular momentum "
-           "about the vertical?",
+           "The run has an error in its angle. How large is the error of its angular momentum about the vertical?",
        .options =
            {{"rounding only",
              R"(λ acts along d, which passes through the anchor; gravity acts along the vertical; and the position
@@ -147,15 +146,15 @@ void nutation(const Setting& setting, Page& page) {
        .hints = {"Which of λ, gravity and the move has a torque about the vertical?",
                  "L = x × mv: v changes by hg and by a multiple of d = x, then x changes by hv.",
                  "x × x = 0, (x + hv) × v = x × v"}});
-  const Errors coarse = errors(setting, exact, h / 16), fine = errors(setting, exact, h / 32);
+  const Errors coarse = errors(setting, exact, h / 32), fine = errors(setting, exact, h / 64);
   const double order = std::log2(coarse.period / fine.period), halved = coarse.precession / fine.precession;
-  const std::string powers =
-      halved > 0 ? say("they fall as h to the power of @ and @", Value(order, 3), Value(std::log2(halved), 3))
-                 : say("the first falls as h to the power of @ and the second changes its sign", Value(order, 3));
+  const std::string slopes = halved > 0
+                                 ? say("slopes are @ and @", Value(order, 3), Value(std::log2(halved), 3))
+                                 : say("slope of the first is @ and the second changes its sign", Value(order, 3));
   page.figure("errors_over_h",
               say(R"(Errors of the duration of one nutation and of the angle of its precession, over the time step.
-                  Between h/16 and h/32 @.)",
-                  powers),
+                  Over the two shortest steps the @.)",
+                  slopes),
               over_h(setting, exact));
   page.text(
       R"(The drift of lesson 4 only fell with h. Here the error falls with h², for two reasons: the velocities of symplectic
@@ -175,7 +174,7 @@ void nutation(const Setting& setting, Page& page) {
   page.claim("precession in it", run.precession, "rad",
              is(exact.precession, "certified integration", second_order),
              Quantity("turn in the longest step", turned, "rad") <= 0.2);
-  page.claim("order: halvings of the nutation's error, from h/16 to h/32", order, "1", is(2, "h²", absolute(0.1)));
+  page.claim("order: halvings of the nutation's error, from h/32 to h/64", order, "1", is(2, "h²", absolute(0.1)));
   page.claim(say("L about the vertical after @ s", nod_seconds), kept, "kg m²/s",
              is(given, "mL²sin²θ·φ̇ at the start", relative(1e-11)));
 }
