@@ -10,10 +10,10 @@ namespace {
 
 Chart over_angle(const Setting& setting) {
   const double weight = setting.mass * gravity;
-  Chart chart{.x = {.label = "angle (deg)", .range = {{0, 90}}},
+  Chart chart{.x = {.label = "angle (deg)", .range = {{0, 80}}},
               .y = {.label = "tension (weights)", .range = {{0, 5}}}};
-  Curve run{.label = "λ/h", .style = CurveStyle::markers}, theory{.style = CurveStyle::theory},
-      along{.style = CurveStyle::theory};
+  Curve run{.label = "λ/h", .style = CurveStyle::markers}, theory{.label = "1/cosθ", .style = CurveStyle::theory},
+      along{.label = "cosθ", .style = CurveStyle::theory, .colour = palette::muted};
   for (double angle = 10; angle <= 76; angle += 6) {
     run.x.push_back(angle);
     run.y.push_back(third_turn(circling(setting, radians(angle)), setting.h).tension / weight);
@@ -25,7 +25,7 @@ Chart over_angle(const Setting& setting) {
     along.y.push_back(std::cos(radians(angle)));
   }
   chart.curves = {run, theory, along};
-  chart.annotations = {{theory.x.back(), theory.y.back(), "1/cosθ"}, {along.x.back(), along.y.back(), "cosθ"}};
+
   return chart;
 }
 
@@ -50,8 +50,12 @@ void draw_cone(Canvas& canvas, double angle, double tension) {
   canvas.text(space.project(pull - 0.09 * bob), say("@ weights", Value(tension, 3)), style);
   canvas.text(space.project(weight), "1 weight",
               {.size = 20, .colour = palette::force, .halo = 3, .offset = {0, -42}});
-  canvas.text(space.project({0, 0.45 * bob.y(), 0}), "θ",
-              {.size = 22, .anchor = renderer::Anchor::left, .halo = 3, .offset = {8, 0}});
+  std::vector<Point> arc;
+  for (int i = 0; i <= 24; ++i)
+    arc.push_back(space.project(0.3 * Point3(std::sin(i * angle / 24), -std::cos(i * angle / 24), 0)));
+  canvas.path(arc, {palette::ink, 2});
+  canvas.text(space.project(0.17 * Point3(std::sin(angle / 2), -std::cos(angle / 2), 0)), "θ",
+              {.size = 22, .halo = 3});
 }
 
 }  // namespace
@@ -63,8 +67,8 @@ void conical(const Setting& setting, Page& page) {
   const double measured = turn.tension / weight;
 
   page.text(
-      R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod is the one row of lesson 2, now with six numbers.
-      Started sideways at the right speed it circles at a steady angle: a conical pendulum.)");
+      R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod is the one row of lesson 2, now with six
+      numbers. Started sideways at the right speed it circles at a steady angle: a conical pendulum.)");
   page.predict(
       {.ask =
            say("It circles on a cone at @° from straight down. How hard does the rod pull, in weights of the bob?",
@@ -93,7 +97,7 @@ void conical(const Setting& setting, Page& page) {
                exact.tension(setting.mass));
   page.figure(
       "cone",
-      say(R"(θ = @°. Forces on the bob (orange) in the run, and its velocity (green). The pull of the rod carries the
+      say(R"(θ = @°. The forces on the bob in this run (orange) and its velocity (green). The pull of the rod carries the
           weight and keeps the bob on its circle.)",
           setting.angle),
       [=](Canvas& canvas) { draw_cone(canvas, angle, measured); });

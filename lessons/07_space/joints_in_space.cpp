@@ -64,9 +64,9 @@ void joints_in_space(const Setting& setting, Page& page) {
   }
 
   page.text(
-      R"(The most common joint in space is the *hinge* of a door: five rows. Three hold a point, like a ball joint; two keep
-      the axes parallel. Let n₂ be the axis in body 2, and t₁ and t₂ two directions across it in body 1. They must stay
-      at right angles, C_k = t_k · n₂ = 0, and their derivatives only contain the two ω:)");
+      R"(The most common joint in space is the *hinge* of a door: five rows. Three hold a point, like a ball joint; two
+      keep the axes parallel. Let n₂ be the axis in body 2, and t₁ and t₂ two directions across it in body 1. They must
+      stay at right angles, C_k = t_k · n₂ = 0, and their derivatives only contain the two ω:)");
   page.formula("J_k = [0,  −(n₂ × t_k),  0,  n₂ × t_k],   k = 1, 2",
                R"(J_k = \begin{bmatrix} 0 & -(n_2\times t_k) & 0 & n_2\times t_k\end{bmatrix}, \quad k = 1, 2)");
   const Vector below(0, -0.5 * book_sides().y(), 0);
@@ -83,11 +83,12 @@ void joints_in_space(const Setting& setting, Page& page) {
   const Eigen::Quaterniond p = space_rotation(Vector(0, radians(twisted), 0)),
                            opposite(-p.w(), -p.x(), -p.y(), -p.z());
   page.text(
-      R"(Each turn that a joint leaves free can be bounded by one row, a stop as in lesson 6. *Swing* is the angle between an
-      axis of one body and an axis of the other: a stop at @° keeps a book on a ball joint within a cone, as a shoulder
-      keeps an arm. *Twist* is the turn about the axis n. With the orientation p of body 2 as seen from body 1 it is φ =
-      2·atan2(p·n, p_w). The classic mistake: p and −p are the same orientation, but where p says @°, −p says @°, and a
-      stop at −90° finds itself passed by @°. So where p_w is negative, change the sign of p first.)",
+      R"(Each turn that a joint leaves free can be bounded by one row, a stop as in lesson 6. *Swing* is the angle
+      between an axis of one body and an axis of the other: a stop at @° keeps a book on a ball joint within a cone, as
+      a shoulder keeps an arm. *Twist* is the turn about the axis n. With the orientation p = (p_w, **p**) of body 2 as
+      seen from body 1 it is φ = 2·atan2(**p**·n, p_w). The classic mistake: p and −p are the same orientation, but
+      where p says @°, −p says @°, and a stop at −90° finds itself passed by @°. So where p_w is negative, change the
+      sign of p first.)",
       cone, Value(twist(p), 4), Value(twist(opposite), 4), Value(-90 - twist(opposite), 4));
 
   page.claim("degrees of freedom that a hinge leaves", static_cast<double>(freedom), "1",

@@ -36,21 +36,21 @@ int main(int argc, char** argv) {
   lesson.closing(
       {.now_you_know =
            {"A row has the same four parts in space; r × n has three numbers there, and a row has 12.",
-            R"(I belongs to the body and turns with it: RIRᵀ. If R is forgotten, JV still vanishes, but the angular momentum
-            changes.)",
-            "A rod conserves the angular momentum about the vertical to rounding; periods have the error of the "
-            "step.",
-            R"(Iω stays, so ω turns. Without the gyroscopic term nothing flips, the explicit term gains energy, the
+            R"(I belongs to the body and turns with it: RIRᵀ. If R is forgotten, JV still vanishes, but the angular
+            momentum changes.)",
+            "A rod conserves the angular momentum about the vertical to rounding, its periods only to the step's "
+            "error.",
+            R"(Iω stays, so ω turns. Without the gyroscopic term nothing flips, with the explicit term energy grows, the
             implicit one conserves energy and momentum.)",
             "Coulomb's bound is a disc. Bounded axis by axis it is a square, which favours directions and bends "
             "paths."},
        .tries = {{"A smaller wobble takes longer to grow into a flip:",
                   "./lessons/run space --step 6 --set wobble=0.005"},
-                 {"With a faster spin the explicit term gains energy sooner:",
+                 {"A faster spin: with the explicit term energy grows sooner.",
                   "./lessons/run space --step 6 --set spin=15"},
                  {"A book that is not turned hides the mistake:", "./lessons/run space --step 2 --set tilt=0"}},
        .next =
-           R"(You now have all of the article in three dimensions. Lesson 8 shows where its methods fail, lesson 9 what their
-               accuracy costs.)"});
+           R"(You now have all of the article in three dimensions. Lesson 8 shows where its methods fail, lesson 9 what
+               their accuracy costs.)"});
   return lesson.run(argc, argv);
 }

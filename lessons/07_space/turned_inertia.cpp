@@ -86,8 +86,8 @@ Chart over_tilt(double mass, double limit) {
     bool turned;
   };
   for (const Body& body :
-       {Body{"book, I left as it was", book_sides(), false}, Body{"book, RIRᵀ", book_sides(), true},
-        Body{"cube, I left as it was", {0.8, 0.8, 0.8}, false}}) {
+       {Body{"book, I not turned", book_sides(), false}, Body{"book, I turned: RIRᵀ", book_sides(), true},
+        Body{"cube, I not turned", {0.8, 0.8, 0.8}, false}}) {
     Curve curve{.label = body.name};
     if (body.sides.x() == body.sides.z()) curve.style = CurveStyle::markers;
     for (double tilt = 0; tilt <= limit; tilt += curve.style == CurveStyle::markers ? 10 : 1) {
@@ -153,7 +153,7 @@ void turned_inertia(const Setting& setting, Page& page) {
   page.excerpt("lessons/07_space/turned_inertia.cpp", "18");
   page.text(
       R"(What if you forget R? The book flies by at @ m/s, @, and the middle of its yellow side catches on a nail: a pin,
-      three rows, solved as one block. That solve, with the mistake as an option:)",
+      three rows, solved as one block. Here is that solve, with the mistake as an option:)",
       flight(), setting.tilt == 0 ? std::string("not turned") : say("turned by @°", setting.tilt));
   page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
   const bool shows = wrong.lost() > 1e-9;
@@ -176,22 +176,22 @@ void turned_inertia(const Setting& setting, Page& page) {
                  "JV after = JV before + JM⁻¹Jᵀ λ"}});
   page.figure(
       "caught_on_a_nail",
-      say(R"(The book just caught, with I turned and with I in the body's axes. The held point rests in both. L is the
+      say(R"(The book just caught, with I turned and with I not turned. The held point rests in both. L is the
           angular momentum about the nail, which the nail's push cannot change; in the second it @.)",
           shows ? say("has changed, by @ %", Value(100 * wrong.lost(), 3))
                 : "has not changed either, because this book has not turned"),
       [=](Canvas& canvas) {
         const auto [left, beside] = canvas.page().inset(20).panels(0.5, 20);
         draw_catch(canvas, right, "I⁻¹ turned: RI⁻¹Rᵀ", left);
-        draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
+        draw_catch(canvas, wrong, "I⁻¹ not turned", beside);
       });
   page.text(
-      R"(@ A body that has not turned hides the mistake, and so does a ball or a cube, whose I is the same about every axis.
-      So test with a book, and turn it first.)",
+      R"(@ A body that has not turned hides the mistake, and so does a ball or a cube, whose I is the same about every
+      axis. So test with a book, and turn it first.)",
       shows ? "The joint looks right, but the body turns about a wrong axis and too fast or too slowly."
             : "Here joint and motion are right in spite of the mistake.");
   page.figure("lost_by_tilt",
-              "The share of the angular momentum about the nail that one solve changes, over the book's tilt.",
+              "Change of the angular momentum about the nail in one solve, against the tilt of the book.",
               over_tilt(mass, 90));
   page.measure("change of L, I not turned", shows ? 100 * wrong.lost() : 0, "%");
 
