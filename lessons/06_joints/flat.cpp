@@ -220,13 +220,13 @@ void flat(const Setting& setting, Page& page) {
   page.text(
       R"(**Regularisation** lets the direct solve pass this pose: add a small share ε of A's own diagonal D to A, (A +
       εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little, by γλ. The cost: pins separate at
-      a speed of about ε times their load. The benefit: λ is bounded. Suppose the right-hand pivot is @ mm too far out
-      (β = @). In the flat pose the bars cannot reach it and pull at each other in vain; only ε limits that pull:)",
-      1000 * misfit, setting.beta);
-  page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, where mgh = @ N·s",
+      a speed of about ε times their load. The benefit: λ is bounded. Suppose the right-hand pivot is @ mm too far out.
+      In the flat pose the bars cannot reach it and pull at each other in vain; only ε limits that pull:)",
+      1000 * misfit);
+  page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, β = @, where mgh = @ N·s",
                R"(\lambda = \frac{\beta\,\delta/h}{\varepsilon\,(4/m_a + 2/m_c)} = @\,\mathrm{N\,s}
-                  \text{ for } \varepsilon = @, \text{ where } mgh = @\,\mathrm{N\,s})",
-               self_pull_by_hand(setting, strict), strict, setting.mass * gravity * h);
+                  \text{ for } \varepsilon = @,\; \beta = @, \text{ where } mgh = @\,\mathrm{N\,s})",
+               self_pull_by_hand(setting, strict), strict, setting.beta, setting.mass * gravity * h);
   Chart price{.x = {.label = "regularisation ε", .scale = Scale::logarithmic},
               .y = {.label = "speed at which pins separate (m/s)", .scale = Scale::logarithmic}};
   Chart gain{.x = price.x, .y = {.label = "pull of a misfit (N s)", .scale = Scale::logarithmic}};
