@@ -55,6 +55,7 @@ constexpr Excepted excepted_pictures[] = {
     {"leaning_stack", "a body leaves its frame", "boxes of a fallen stack roll out of sight"},
     {"ringing_chain", "a body leaves its frame", "a chain that rings breaks up and flies out of sight"},
     {"stack", "a body leaves its frame", "boxes of a fallen stack roll out of sight"},
+    {"block_and_row", "a body leaves its frame", "with few sweeps a pin comes off and its box flies out of sight"},
 };
 
 /// Keeps where shapes are and draws nothing. Lines may leave their panel: the canvas cuts them, and a chart's
