@@ -30,10 +30,10 @@ void draw_frame(Canvas& canvas, const Sample& now, const Swing& run, const Chart
   canvas.look(fit(bounds(seen), below, scene.is_high() ? 30 : 10));
   const ArrowKind force{palette::force, newton, "N"};
   pictures::draw(canvas, {.bobs = {{now.position, 1}}, .rods = {{{0, 0}, now.position}}, .anchors = {{0, 0}}});
-  // Beside the rod, which it would cover.
+  // Beside the rod, which it would cover, and from the bob's edge on, which would hide a weak one.
   const Vector along = now.position / now.position.norm();
-  canvas.vector(now.position + 16 / canvas.camera().scale * Vector(-along.y(), along.x()), -now.tension * along,
-                force);
+  canvas.vector(now.position + 16 / canvas.camera().scale * Vector(-along.y() - along.x(), along.x() - along.y()),
+                -now.tension * along, force);
   canvas.vector(now.position, Vector(0, -weight), {palette::muted, newton, "N"});
   canvas.look_at_page();
   canvas.text({scene.centre().x(), scene.top() - 14},

@@ -44,6 +44,8 @@ renderer::Chart map_of(const Eigen::MatrixXd& matrix, std::string title, std::st
   chart.x.label = "column: joint";
   chart.y.label = "row: joint";
   chart.y.reversed = true;
+  for (int i = (n + 4) / 5; i <= n; i += (n + 4) / 5) chart.x.ticks.push_back({double(i), std::to_string(i)});
+  chart.y.ticks = chart.x.ticks;
   chart.heat_map = std::move(map);
   return chart;
 }
