@@ -6,7 +6,7 @@
 #include "tests/solver/random.hpp"
 
 // Kinds of two and of four rows in space, as a program may add: no kind of the library has so many.
-namespace {
+namespace own_rows_test {
 
 using namespace byhand;
 using M = SpaceBody;
@@ -141,4 +141,4 @@ constexpr bool has_blocks_of_all_sizes() {
 static_assert(has_blocks_of_all_sizes<PlaneParticle>() && has_blocks_of_all_sizes<PlaneBody>() &&
               has_blocks_of_all_sizes<SpaceParticle>() && has_blocks_of_all_sizes<SpaceBody>());
 
-}  // namespace
+}  // namespace own_rows_test

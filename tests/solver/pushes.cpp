@@ -6,7 +6,7 @@
 #include "tests/solver/random.hpp"
 
 // Forces and impulses of a program on single bodies.
-namespace {
+namespace pushes_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 64;
@@ -189,4 +189,4 @@ TEST(Push, OfABodyThatIsNotThereOrIsNoNumberIsRefused) {
   EXPECT_TRUE(scene.bodies().applied.empty());
 }
 
-}  // namespace
+}  // namespace pushes_test

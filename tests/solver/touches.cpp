@@ -3,7 +3,7 @@
 #include "solver/byhand.hpp"
 
 // What a program learns of contacts.
-namespace {
+namespace touches_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60, g = 9.81;
@@ -160,4 +160,4 @@ TEST(Impulse, OfARopeThatNeverHeldOrIsGoneIsRefusedOrZero) {
   EXPECT_THROW(simulation.impulse(rope), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace touches_test
