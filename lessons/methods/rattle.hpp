@@ -10,8 +10,8 @@
 // λ is found by Newton's method with the matrix kept at x₀, JM⁻¹Jᵀ δ = -C(x₁)/h, so that one factor serves all
 // corrections; each leaves the share of the error by which J turns in a step. The factor at x₁, which gives μ, is
 // also the next substep's. Between the kicks a body in space turns freely by the implicit rule of gyroscopic.hpp.
-// All of it is symmetric: the step is time-reversible, of order 2, its energy error stays bounded, and it keeps
-// momentum.
+// Without damping all of it is symmetric: the step is time-reversible, of order 2, its energy error stays bounded,
+// and it keeps momentum. Damping acts at the start of each half, which makes the step of order 1.
 //
 // Cost of a substep: rows written and solved directly once, and some back-substitutions; once more at the start of
 // a step, for the scene may have changed. Sources: H. C. Andersen, Rattle: a "velocity" version of the Shake
