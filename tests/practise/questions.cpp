@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "tests/lessons/terminal/long_lessons.hpp"
+#include "tests/long_run.hpp"
 #include "tests/practise/learner.hpp"
 
 namespace byhand::tests {

@@ -11,6 +11,7 @@
 #include "lessons/catalogue/code.hpp"
 #include "lessons/catalogue/profile.hpp"
 #include "lessons/catalogue/tidy.hpp"
+#include "tests/long_run.hpp"
 
 // Work against precision, and the choice that follows from it.
 namespace choice_test {
@@ -319,8 +320,16 @@ const std::vector<Request> requests{
     {"incline", {{"angle", -30}, {"speed", 0}}, {{Error::drift, 1e-3}}},
 };
 
+/// A third of them, but in the long run.
+std::vector<Request> drawn_requests() {
+  std::vector<Request> drawn;
+  for (std::size_t i = 0; i < requests.size(); ++i)
+    if (tests::is_drawn(i, 3)) drawn.push_back(requests[i]);
+  return drawn;
+}
+
 class ThirtyRequests : public testing::TestWithParam<Request> {};
-INSTANTIATE_TEST_SUITE_P(Chooser, ThirtyRequests, testing::ValuesIn(requests));
+INSTANTIATE_TEST_SUITE_P(Chooser, ThirtyRequests, testing::ValuesIn(drawn_requests()));
 
 /// The cheapest of many choices drawn without regard to any law, that keeps the limits and costs at most `most`,
 /// and does so from four times as many initial conditions, so that it is not marginal.

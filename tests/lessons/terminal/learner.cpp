@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "lessons/terminal/typeset.hpp"
-#include "tests/lessons/terminal/long_lessons.hpp"
 #include "tests/lessons/terminal/process.hpp"
 #include "tests/lessons/terminal/terminal.hpp"
+#include "tests/long_run.hpp"
 
 namespace byhand::tests {
 namespace {
