@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "lessons/page/html/code_html.hpp"
 #include "lessons/page/html/markup.hpp"
 #include "lessons/site/digest.hpp"
 #include "lessons/site/frame.hpp"
@@ -88,8 +89,8 @@ std::string try_it(const Try& attempt, const std::vector<RecordedStep>& steps, b
   const std::string link = live ? settings_link(attempt.command, steps) : "";
   const std::string button =
       link.empty() ? "" : fmt::format("<p><a class=\"try\" href=\"{}\">Try it here</a></p>\n", escaped(link));
-  return fmt::format("<p>{}</p>\n{}<pre><code>{}</code></pre>\n", inline_html(attempt.what), button,
-                     escaped(attempt.command));
+  return fmt::format("<p>{}</p>\n{}<pre>{}</pre>\n", inline_html(attempt.what), button,
+                     command_html(attempt.command));
 }
 
 std::string closing(const Closing& closing, const std::vector<RecordedStep>& steps, bool live) {

@@ -46,6 +46,12 @@ TEST(Prose, ALetterBelowAnotherIsASubscript) {
   EXPECT_EQ(inline_html("`r_x`"), "<code>r_x</code>");
 }
 
+TEST(Prose, AnOptionOfACommandStaysWhole) {
+  EXPECT_EQ(inline_html("`./lessons/run 2 --step 7b`"),
+            "<code>./lessons/run 2 <span class=\"whole\">--step</span> 7b</code>");
+  EXPECT_EQ(inline_html("`a - b`"), "<code>a - b</code>");
+}
+
 TEST(Prose, AnExponentInBracketsIsRaised) {
   EXPECT_EQ(inline_html("4^(1/3)"), "4<sup>1/3</sup>");
   EXPECT_EQ(inline_html("(2)^(3)", Links::none), "(2)<sup>3</sup>");

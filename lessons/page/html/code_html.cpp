@@ -20,4 +20,16 @@ std::string code_html(std::string_view code) {
   return all + "</code></pre>";
 }
 
+std::string command_html(std::string_view command) {
+  std::string all = "<code>";
+  while (!command.empty()) {
+    const size_t end = std::min(command.find(' '), command.size());
+    const std::string_view word = command.substr(0, end);
+    all += word.starts_with("--") ? "<span class=\"whole\">" + escaped(word) + "</span>" : escaped(word);
+    if (end < command.size()) all += ' ';
+    command.remove_prefix(std::min(end + 1, command.size()));
+  }
+  return all + "</code>";
+}
+
 }  // namespace byhand::site

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lessons/page/article_equations.hpp"
+#include "lessons/page/html/code_html.hpp"
 #include "lessons/page/html/variables.hpp"
 
 namespace byhand::site {
@@ -54,7 +55,7 @@ class Inline {
     if (!rest().starts_with('`')) return false;
     const auto end = words_.find('`', at_ + 1);
     if (end == std::string_view::npos) return false;
-    all_ += "<code>" + escaped(words_.substr(at_ + 1, end - at_ - 1)) + "</code>";
+    all_ += command_html(words_.substr(at_ + 1, end - at_ - 1));
     at_ = end + 1;
     return true;
   }
