@@ -61,11 +61,13 @@ void price_of_direct(Page& page, const Knobs& knobs) {
 
   for (const int links : {n, 2 * n}) {
     chart.curves.push_back(sweeps_of(knobs.chain(links), knobs));
+    chart.curves.back().colour = renderer::palette::series(links == n ? 0 : 2);
     const Price price = links == n ? once : twice;
     chart.curves.push_back({.label = say("direct, N = @", links),
                             .x = {price.row_solves + around * links},
                             .y = {std::max(price.error, lowest)},
-                            .style = renderer::CurveStyle::markers});
+                            .style = renderer::CurveStyle::markers,
+                            .colour = renderer::palette::series(4)});  // as in step 7
   }
   page.figure(
       "price",

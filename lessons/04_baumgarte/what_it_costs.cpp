@@ -114,8 +114,8 @@ void what_it_costs(const Setting& setting, Page& page) {
       [film = PendulumFilm(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   Curve drift{.label = "largest |C|/L", .style = CurveStyle::line_and_markers, .colour = palette::error},
-      energy{.label = "lost energy/mgL", .style = CurveStyle::line_and_markers, .colour = palette::force},
-      time{.label = "|period error|", .style = CurveStyle::line_and_markers, .colour = palette::velocity},
+      energy{.label = "lost energy/mgL", .style = CurveStyle::line_and_markers, .colour = palette::series(5)},
+      time{.label = "|period error|", .style = CurveStyle::line_and_markers, .colour = palette::series(7)},
       drift_law{.label = "(ωh)²/2β", .style = CurveStyle::theory},
       energy_law{.label = "lost, small steps", .style = CurveStyle::theory};
   double before = 0, turns = 0;  // the period's error at the last β, and β where its sign changes
