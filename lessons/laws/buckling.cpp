@@ -78,7 +78,7 @@ Law buckling() {
                                               {12, {0.3, 0.5}, 1}}) {
     const Column column{.boxes = boxes, .size = size, .sweeps = 0, .substeps = substeps, .steps = 3000};
     law.boundaries.push_back(bisected(
-        {"softness of the contacts",
+        {"longest period of the contacts",
          "s",
          fmt::format("{} boxes of {} m × {} m, {}", boxes, size.width, size.height, counted(substeps, "substep")),
          1 / softest_contacts(boxes, size),

@@ -56,8 +56,9 @@ Law heavy_on_light() {
   Law law{9,
           Family::too_few_iterations,
           "heavy on light",
-          "with k warm sweeps a box does not settle on one too light: at β = 0.2, on one of 1/3k of its mass",
-          "r < r(β) k, r(β) = 3 at β = 0.2",
+          "with k warm sweeps a box does not settle on one too light: at β = 0.2 and large k, on one lighter than "
+          "a 3k-th of it",
+          "M/m < c(β, k), about 3k at β = 0.2 for large k (2.66 at k = 1)",
           {}};
   for (const double beta : {0.1, 0.2, 0.5})
     for (const int sweeps : {1, 2, 4, 8}) {

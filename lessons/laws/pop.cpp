@@ -23,7 +23,7 @@ Law pop() {
       Family::overshooting_correction,
       "contact pop",
       "a contact that is corrected through its velocity keeps that velocity: a deep overlap throws the body up",
-      "d < min gh² n(n − 1)/2(nβ − 1), at most (1 − β/2) 2gh²/β²",
+      "d < min over whole n > 1/β of gh² n(n − 1)/(2(nβ − 1)), at most (1 − β/2) 2gh²/β²",
       {}};
   for (const auto& [beta, rate] : {std::pair{0.05, 60},
                                    {0.1, 60},

@@ -104,7 +104,8 @@ Law spin() {
           Family::too_large_a_step,
           "rotation within a step",
           "a step moves points straight on, but those of a rotating body move on circles",
-          "hinge error r√((θ − sinθ)² + (1 − cosθ)²); explicit wobble × 10 when (1 + Ω²h²)^(t/2h) = 10",
+          "hinge error r√((θ − sinθ)² + (1 − cosθ)²); an explicit wobble of rate Ω grows tenfold in t: (1 + "
+          "Ω²h²)^(t/2h) = 10",
           {}};
   for (const double turn : {0.01, 0.1, 1.0, 3.0})
     law.boundaries.push_back({"error of the hinge", "m", fmt::format("{} rad a step, 1 m from the centre", turn),
