@@ -14,6 +14,9 @@ struct Take {
   Simulation<M> run;
 };
 
+/// How a run of a film ends. Drifts: it has not failed, but its gauge still grows.
+enum class End { holds, drifts, fails };
+
 /// What a film shows and for how long.
 template <class M>
 struct Shooting {
@@ -26,6 +29,8 @@ struct Shooting {
   std::vector<renderer::Curve> laws = {};            // drawn over it
   std::function<bool(const Scene<M>&)> failed = {};  // where a run stops
   std::string failure = {}, success = {};            // its words: "falls" or "stands"
+  std::string drifting = "";                         // "still leans further"; none if no run can drift
+  double noticed = 0;                                // by the gauge, where a run that still grows drifts
   std::function<void(renderer::Canvas&, const Scene<M>&, const renderer::Look& bodies)> draw = {};  // in the world
 };
 
@@ -42,11 +47,12 @@ class Film {
 
   double seconds() const { return plan_.seconds; }
   double hurry() const { return plan_.hurry; }
-  bool failed(int take) const { return std::isfinite(fails_at_[take]); }
-  /// Whether it fails, for a verdict that says so.
-  course::Condition fails(int take) const { return failure(take) >= 1; }
-  course::Condition holds(int take) const { return failure(take) < 1; }
-  /// "falls after 2.4 s", or "stands".
+  bool failed(int take) const { return ends_[take] == End::fails; }
+  /// Whether it fails, drifts or holds, for a verdict that says so.
+  course::Condition fails(int take) const { return ended(take, End::fails); }
+  course::Condition drifts(int take) const { return ended(take, End::drifts); }
+  course::Condition holds(int take) const { return ended(take, End::holds); }
+  /// "falls after 2.4 s", "still leans further" or "stands".
   std::string fate(int take) const;
   /// What its gauge says at the end.
   double last(int take) const { return last_[take]; }
@@ -54,12 +60,28 @@ class Film {
 
  private:
   static constexpr double step = 1.0 / 60;
-  course::Quantity failure(int take) const {
-    return {course::say("failures of @", plan_.takes[take].name), failed(take) ? 1.0 : 0.0};
+  course::Condition ended(int take, End end) const {
+    const std::string& name = plan_.takes[take].name;
+    const auto words = [&](End one) {
+      return course::say("@: @", name,
+                         one == End::fails    ? plan_.failure
+                         : one == End::drifts ? plan_.drifting
+                                              : plan_.success);
+    };
+    return {ends_[take] == end, words(end), words(ends_[take])};
+  }
+  /// Whether a gauge that goes up and down is larger in the last third than in the third before.
+  bool grows(const std::vector<double>& gauge) const {
+    const auto third = static_cast<std::ptrdiff_t>(gauge.size() / 3);
+    const auto largest = [](auto from, auto to) { return from == to ? 0 : *std::max_element(from, to); };
+    const double last = largest(gauge.end() - third, gauge.end()),
+                 before = largest(gauge.end() - 2 * third, gauge.end() - third);
+    return last > plan_.noticed && last > 1.05 * before;
   }
 
   Shooting<M> plan_;
-  std::vector<double> fails_at_;  // [s]; infinity for a run that does not
+  std::vector<End> ends_;
+  std::vector<double> fails_at_;  // [s], of those that fail
   std::vector<double> last_;      // what the gauges say in the end
   renderer::Chart gauges_;
 };
@@ -71,14 +93,19 @@ Film<M>::Film(Shooting<M> shooting) : plan_(std::move(shooting)) {
   for (const Take<M>& take : plan_.takes) {
     renderer::Curve curve{.label = take.name};
     Simulation<M> run = take.run;
+    std::vector<double> gauge;
     for (;; run.step(step)) {
       const double value = plan_.read(run.scene);
       const bool shown = plan_.gauge.scale == renderer::Scale::linear || value > 0;
+      gauge.push_back(value);
       curve.x.push_back(run.time);
       curve.y.push_back(shown ? value : NAN);
       if (run.time > end - 0.5 * step || plan_.failed(run.scene)) break;
     }
-    fails_at_.push_back(plan_.failed(run.scene) ? run.time : std::numeric_limits<double>::infinity());
+    ends_.push_back(plan_.failed(run.scene)                   ? End::fails
+                    : !plan_.drifting.empty() && grows(gauge) ? End::drifts
+                                                              : End::holds);
+    fails_at_.push_back(run.time);
     last_.push_back(plan_.read(run.scene));
     gauges_.curves.push_back(std::move(curve));
   }
@@ -87,8 +114,8 @@ Film<M>::Film(Shooting<M> shooting) : plan_(std::move(shooting)) {
 
 template <class M>
 std::string Film<M>::fate(int take) const {
-  return failed(take) ? course::say("@ after @ s", plan_.failure, course::Value(fails_at_[take], 3))
-                      : plan_.success;
+  if (failed(take)) return course::say("@ after @ s", plan_.failure, course::Value(fails_at_[take], 3));
+  return ends_[take] == End::drifts ? plan_.drifting : plan_.success;
 }
 
 template <class M>
@@ -102,7 +129,7 @@ course::FrameDrawing Film<M>::drawing() const {
       while (run.time < plan.hurry * time - 0.5 * step && !plan.failed(run.scene)) run.step(step);
       const bool failed = plan.failed(run.scene);
       draw_cell(canvas, cells[i], plan.view, i, takes[i].name,
-                failed ? film.fate(i) : course::say("@ s", course::Value(run.time, 2)), failed,
+                failed ? film.fate(i) : course::say("@ s", course::Value(run.time, 3)), failed,
                 [&] { plan.draw(canvas, run.scene, pictures::look_of_run(i)); });
     }
     renderer::draw(canvas, pictures::grown_to(film.gauges_, plan.hurry * time + 1e-9), right.lowered(40));

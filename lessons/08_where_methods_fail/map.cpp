@@ -57,12 +57,17 @@ std::size_t Agreement::rank() const {
   return rank == 0 ? 0 : rank - 1;
 }
 
-std::string Agreement::sentence() const {
+std::string Agreement::sentence(bool explained) const {
   if (factors.empty()) return "No run of the map is near the limit of the law.";
+  if (!explained)
+    return course::say("The law predicts @ of the @ runs near its limit; the fitted limit is @ times the law's.",
+                       right, runs, Value(factor(), 3));
+  const std::string interval =
+      low() < high() ? course::say(" (95 % confidence interval @ to @)", Value(low(), 3), Value(high(), 3)) : "";
   return course::say(
-      "Of the @ runs within a factor of 2 of its limit the law predicts @. The limit fitted to the map, over the "
-      "law's, is @ (95 % confidence: @ to @).",
-      runs, right, Value(factor(), 3), Value(low(), 3), Value(high(), 3));
+      "Within a factor of 2 of its limit the law predicts @ of @ runs. The limit fitted to the map is @ times the "
+      "law's@.",
+      right, runs, Value(factor(), 3), interval);
 }
 
 Agreement agreement(const Map& map, const std::function<double(double x)>& boundary, Settles side) {
@@ -122,6 +127,11 @@ renderer::HeatMap cells(std::vector<double> x, std::vector<double> y,
   for (std::size_t i = 0; i < map.classes.size(); ++i)
     if (std::count(map.values.begin(), map.values.end(), static_cast<double>(i)) == 0) map.classes[i].name.clear();
   return map;
+}
+
+std::string on_ringing(const Map& map) {
+  const bool rings = std::count(map.outcomes.begin(), map.outcomes.end(), Outcome::rings) > 0;
+  return rings ? " Columns that swing instead of falling (“rings”) fail too." : "";
 }
 
 renderer::Chart chart(const Map& map, std::string law, const std::function<double(double x)>& boundary,

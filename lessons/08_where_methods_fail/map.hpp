@@ -56,8 +56,8 @@ struct Agreement {
   double factor() const { return factors[factors.size() / 2]; }
   double low() const { return factors[rank()]; }
   double high() const { return factors[factors.size() - 1 - rank()]; }
-  /// "Of the 120 runs within a factor of 2 …".
-  std::string sentence() const;
+  /// "The law predicts 85 of 88 runs near its limit …"; `explained`: with what that means.
+  std::string sentence(bool explained = false) const;
 
  private:
   std::size_t rank() const;
@@ -75,6 +75,9 @@ inline const OutcomeNames outcome_names{"settles", "drifts", "rings", "explodes"
 renderer::HeatMap cells(std::vector<double> x, std::vector<double> y,
                         const std::vector<std::optional<laws::Outcome>>& outcomes,
                         const OutcomeNames& names = outcome_names);
+
+/// " Some columns swing instead of falling (“rings”): they fail too.", or "" where the map has no such cell.
+std::string on_ringing(const Map& map);
 
 /// The map with a law's boundary over it: y for any x, or for whole x alone if its knob counts.
 renderer::Chart chart(const Map& map, std::string law, const std::function<double(double x)>& boundary,
