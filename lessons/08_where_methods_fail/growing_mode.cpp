@@ -72,8 +72,9 @@ void growing_mode(Page& page) {
     if (n == steps) break;
     acts.push_back({say("x_@ = z x_@ = @ x_0", n + 1, n, Value(run[static_cast<std::size_t>(n) + 1].x, 3)),
                     n == 0 ? "The spring's pull h²ω²x (orange) takes the mass past its place of rest (dashed), "
-                             "farther than it came from."
-                           : "And again, by the same factor.",
+                             "farther out than it was."
+                    : n == 1 ? "And again, by the same factor."
+                             : "",
                     palette::error});
   }
   for (int i = 0; i <= 10 * steps; ++i) {
@@ -84,10 +85,10 @@ void growing_mode(Page& page) {
   const pictures::Acts film(acts);
   page.sequence(
       "growing_mode",
-      say(R"(Four steps, in @ s, of a mass on an undamped explicit spring, ωh = @: each multiplies x by z = @, a root
-                    of z² − (2 − ω²h²)z + 1 = 0. Orange: h²ω²x, by which the pull changes hv, drawn a quarter as long;
+      say(R"(Four steps of a mass on an undamped explicit spring, ωh = @, slowed down to @ s. Each multiplies x by z
+                    = @, a root of z² − (2 − ω²h²)z + 1 = 0. Orange: h²ω²x, by which the pull changes hv, drawn a quarter as long;
                     green: hv after it.)",
-          film.seconds(), omega_h, Value(z, 4)),
+          omega_h, film.seconds(), Value(z, 4)),
       Seconds{film.seconds()},
       [shown = ModeFilm{film, run, sizes}](Canvas& canvas, double time) { shown.draw(canvas, time); });
   page.claim(say("growth of an explicit spring in @ steps at ωh = @", steps, omega_h), run.back().x, "1",

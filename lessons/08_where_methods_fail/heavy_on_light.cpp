@@ -49,7 +49,10 @@ void heavy_on_light(const Setting& setting, Page& page) {
   std::vector<double> limits(1);
   for (int k = 1; k <= 17; ++k) limits.push_back(laws::heaviest_top(k, pair_beta));
   const auto boundary = [&](double k) { return limits[std::min(17, static_cast<int>(std::lround(k)))]; };
-  page.figure("mass_and_sweeps", say("Each cell is one run of two boxes, β = @. Dashed: the law.", pair_beta),
+  page.figure("mass_and_sweeps",
+              say("Each cell is one run of two boxes, β = @; one “flies off” if it gets a box's height away. "
+                  "Dashed: the law.",
+                  pair_beta),
               chart(map, say("r of law 9 at β = @", pair_beta), boundary,
                     {"settles", "drifts", "goes on hopping", "flies off", "no solution"}));
   const Agreement agreed = agreement(map, boundary, Settles::below);

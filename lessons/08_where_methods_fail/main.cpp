@@ -34,8 +34,8 @@ int main(int argc, char** argv) {
   lesson.deeper("Which regime is my scene in?", with(regimes));
   lesson.deeper("A heavy box on a light one", with(heavy_on_light));
   lesson.deeper("Four contacts on one box", with(many_contacts));
-  lesson.deeper("Springs by hand", with(springs));
-  lesson.deeper("Faster than contacts are found", with(unseen));
+  lesson.deeper("Explicit springs", with(springs));
+  lesson.deeper("Tunnelling", with(unseen));
 
   lesson.closing(
       {.now_you_know =
@@ -51,11 +51,11 @@ int main(int argc, char** argv) {
             "Look at the symptom first: no knob cures every failure."},
        .tries = {{"A finer map of where a warm start rings:", "./lessons/run 8 --step 2 --set resolution=40"},
                  {"A taller stack, with more sweeps but not enough:",
-                  "./lessons/run where_methods --step 1 --set boxes=20 --set sweeps=12"},
+                  "./lessons/run 8 --step 1 --set boxes=20 --set sweeps=12"},
                  {"A lighter end, below the limit:", "./lessons/run 8 --step 3 --set end_mass=200"},
                  {"Stiffer contacts and taller stacks:", "./lessons/run 8 --step 4 --set hertz=60"}},
        .next =
-           R"(You know where each method fails. Lesson 9 asks what accuracy costs before that: error against work, for
-               every method.)"});
+           "Lesson 9 stays within these limits and asks what accuracy costs there: error against work, for every "
+           "method."});
   return lesson.run(argc, argv);
 }

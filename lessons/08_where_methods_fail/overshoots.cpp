@@ -64,22 +64,19 @@ void overshoots(const Setting& setting, Page& page) {
 
   page.text(
       R"(**Symptom of the second family:** an error changes sign again and again, each swing larger than the last. *It
-      rings.* The rows are solved no worse than before; the correction is too strong for that.)");
-  const std::string limit_in_words = page.verdict(
-      {{.when = Quantity("limit of β", limit) < 2, .say = "So a correction is applied a second and a third time."},
-       {.when = Quantity("limit of β", limit) >= 2,
-        .say = "That is little: with q below ⅓ the limit is 2, as for one row."}});
+      rings.* The rows are solved as well as before, but the correction is too strong for rows solved only that well.)");
   page.text(
       R"(One row solved exactly is stable for every β below 2 (lesson 4). A chain of @ links, solved by @ a step from a
       warm start, is another matter. Each step begins with all of the last step's λ, which contains the last step's
-      correction. The sweeps should remove it again, but of the slowest wave they leave q = cos²ᵏ(π/2N) = @. @)",
-      links, several(sweeps, "sweep"), Value(q, 3), limit_in_words);
+      correction. The sweeps should remove it again, but of the slowest wave they leave q = cos²ᵏ(π/2N) = @, and this share is
+      applied again.)",
+      links, several(sweeps, "sweep"), Value(q, 3));
   const double here = beta_that_rings(links, sweeps), twice = beta_that_rings(2 * links, sweeps);
   if (limit_of_beta(2 * links, sweeps) < 1.9)
     page.predict(
         {.ask = say(
-             R"(With @ links and @ a step from a warm start, errors ring from β = @ on. From which β do they ring with
-             @ links and as many sweeps?)",
+             R"(With @ links and @ a step from a warm start, errors ring once β exceeds @. What is this limit with
+             @ links and the same number of sweeps?)",
              links, several(sweeps, "sweep"), Value(here, 3), 2 * links),
          .answer = twice,
          .unit = "1",
@@ -87,7 +84,7 @@ void overshoots(const Setting& setting, Page& page) {
          .wrong =
              {{here / 2,
                R"(An error spreads like a random walk: twice the distance takes four times as long, not twice.)"},
-              {here, "The sweeps are as many, but they leave more of a wave twice as long."}},
+              {here, "The number of sweeps is the same, but they leave more of a wave twice as long."}},
          .hints = {"How much of a wave twice as long do the same sweeps leave?",
                    "The limit is (1 − q)/q, with q = cos²ᵏ(π/2N).", say("q = cos(π/@)^@", 4 * links, 2 * sweeps)},
          .hinted = limit_of_beta(2 * links, sweeps),

@@ -1,4 +1,4 @@
-// Deeper: springs by hand.
+// Deeper: explicit springs.
 
 #include "lessons/08_where_methods_fail/growing_mode.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
@@ -28,13 +28,14 @@ void springs(const Setting& setting, Page& page) {
   const double without = largest_omega_h(0), critical = largest_omega_h(1);
 
   page.text(
-      R"(Add −kx − cẋ to the forces before a step, as gravity is added: that is a spring by hand, or *explicit spring*.
+      R"(Add −kx − cẋ to the forces before a step, as gravity is added: that is an *explicit spring* (a
+      penalty force).
       Undamped, it is stable while ωh < @. Damping removes energy, so a damped spring should bear a longer step. Does
       it?)",
       without);
   page.predict(
       {.ask = "Critically damped, ζ = 1: up to which ωh is an explicit spring stable?",
-       .answer = measured(1),
+       .answer = critical,
        .unit = "1",
        .tolerance = 0.05,
        .wrong = {{2, "That is without damping. The damping force is explicit too, and it too overshoots."},
@@ -44,7 +45,7 @@ void springs(const Setting& setting, Page& page) {
        .hints = {"At the limit, what does the oscillation do from one step to the next?",
                  "z² − (2 − 2ζs − s²) z + (1 − 2ζs) = 0 with s = ωh, and z = −1 at the limit.",
                  "z = −1: s² + 4ζs = 4, so for ζ = 1: √8 − 2 = …"},
-       .right = "2(√2 − 1): damping makes it worse."});
+       .right = say("2(√2 − 1); bisection between runs gives @. Damping makes it worse.", Value(measured(1), 4))});
   page.formula(
       "ωh < 2(√(1 + ζ²) − ζ):   @ at ζ = 0, @ at ζ = 1",
       R"(\omega h < 2\left(\sqrt{1 + \zeta^2} - \zeta\right): \quad @ \text{ at } \zeta = 0, \; @ \text{ at } \zeta = 1)",
@@ -62,8 +63,9 @@ void springs(const Setting& setting, Page& page) {
                          knob("ωh", 0.1, 4, setting.resolution),
                          [](double zeta, double omega_h) { return laws::explicit_spring(omega_h, zeta); });
   const Agreement agreed = agreement(map, largest_omega_h, Settles::below);
-  page.figure("damping_and_frequency", "Each cell is one run of a mass on an explicit spring. Dashed: the law.",
-              chart(map, "ωh = 2(√(1 + ζ²) − ζ)", largest_omega_h));
+  page.figure(
+      "damping_and_frequency", "Each cell is one run of a mass on an explicit spring. Dashed: the law.",
+      chart(map, "ωh = 2(√(1 + ζ²) − ζ)", [](double zeta) { return zeta < 0 ? NAN : largest_omega_h(zeta); }));
   page.text("@ Written as a soft row, γ = 1/(h(c + hk)), the same spring is stable for every ωh and ζ (lesson 6).",
             agreed.sentence());
   claim_agreement(page, agreed, 0.15, "law of explicit springs", setting.resolution);

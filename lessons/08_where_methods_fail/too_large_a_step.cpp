@@ -55,7 +55,8 @@ Film<PlaneParticle> film(double end_mass, int sweeps) {
 }
 
 /// What the three runs of the film show.
-std::string seen(Page& page, const Film<PlaneParticle>& chains, double end_mass, double limit_of_substeps) {
+std::string seen(Page& page, const Film<PlaneParticle>& chains, double end_mass, double limit,
+                 double limit_of_substeps) {
   const std::string fate = page.verdict(
       {{.when = where(chains.fails(0), chains.fails(1)),
         .say = say("With @ kg the chain breaks, however well its rows are solved.", Value(end_mass, 6))},
@@ -63,10 +64,8 @@ std::string seen(Page& page, const Film<PlaneParticle>& chains, double end_mass,
         .say = say("With @ kg at its end it holds in all three runs. Choose a heavier end to see it fly apart.",
                    Value(end_mass, 6))},
        {.when = either(chains.fails(0), either(chains.fails(1), chains.fails(2))),
-        .say =
-            say(R"(With @ kg, on a chain that swings, the runs differ: so near to the limit, or so far beyond it,
-                      small differences decide.)",
-                Value(end_mass, 6))}});
+        .say = say("With @ kg, on a chain that swings, the runs differ: so @ the limit, small differences decide.",
+                   Value(end_mass, 6), end_mass > 3 * limit ? "far beyond" : "near to")}});
   if (!chains.failed(0) || !chains.failed(1)) return fate;
   return say("@ @", fate,
              page.verdict({{.when = chains.holds(2),
@@ -95,8 +94,8 @@ void too_large_a_step(const Setting& setting, Page& page) {
       chain.links, setting.end_mass);
   page.predict(
       {.ask = say(
-           R"(Solved exactly in every step, the chain flies apart from an end mass of @ kg on. From which mass does
-                  it do so if h is halved?)",
+           R"(Even when every step is solved exactly, the chain flies apart once its end mass exceeds @ kg. What
+                  is this limit if h is halved?)",
            Value(limit, 3)),
        .answer = halved,
        .unit = "kg",
@@ -107,7 +106,9 @@ void too_large_a_step(const Setting& setting, Page& page) {
                  "ω² grows with T/(ml), and symplectic Euler needs ωh < 2.",
                  "With h/2, ω may be twice as large, so ω² and T may be four times as large."},
        .hinted = 4 * limit,
-       .right = "T h² counts: half the step, four times the load."});
+       .right = say(R"(T h² counts: with half the step, four times the tension. That would be @ kg; the rest is the
+                       links' own weight, which is part of T.)",
+                    Value(4 * limit, 4))});
   page.formula(
       "ω_max h < 2, for a long light chain T h²/(m l) < 1:   @ kg at @ Hz",
       R"(\omega_{\max} h < 2, \quad \text{for a long light chain } \frac{T h^2}{m\,l} < 1: \quad @\ \mathrm{kg\ at\ } @\ \mathrm{Hz})",
@@ -132,12 +133,12 @@ void too_large_a_step(const Setting& setting, Page& page) {
   const Film<PlaneParticle> chains = film(end_mass, many);
   page.sequence(
       "exploding_chain",
-      say(R"(The chain with @ kg at its end, @ steps a second. Solved exactly it @, with @ sweeps a step it
-                    @, solved exactly in 4 substeps it @.)",
+      say(R"(The chain with @ kg at its end, @ steps a second. Solved exactly, it @; with @ sweeps a step,
+                    it @; solved exactly in 4 substeps, it @.)",
           setting.end_mass, rate, chains.fate(0), many, chains.fate(1), chains.fate(2)),
       Seconds{chains.seconds()}, chains.drawing());
   page.text("The limit of a chain at rest is @ kg. @", Value(limit, 3),
-            seen(page, chains, end_mass, heaviest_at(4 * rate)));
+            seen(page, chains, end_mass, limit, heaviest_at(4 * rate)));
 
   const Map map = map_of(page, knob("steps a second (Hz)", 30, 480, setting.resolution),
                          knob("end mass / mass of a link", 10, 1e5, setting.resolution),

@@ -43,7 +43,7 @@ void unseen(const Setting& setting, Page& page) {
                  {balls - passed, "Those are turned back."}},
        .hints = {"How far does a ball fly in a step, and over which distance can it be found?",
                  "Share that is found: (radius + margin + half the wall)/(v h).",
-                 say("Of the step, (@ + @ + @)/@ finds it; the rest of the @ balls pass.", ball_radius,
+                 say("A share (@ + @ + @)/@ of the balls is found; the others of the @ pass.", ball_radius,
                      FlyingBalls{}.margin, wall / 2, speed * step, balls)},
        .hinted = balls * share_by_law(speed, wall),
        .right = say("A ball can be found over @ m, and a step is @ m long; the rest pass between two steps.",

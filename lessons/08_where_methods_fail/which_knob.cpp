@@ -102,16 +102,15 @@ void which_knob(const Setting&, Page& page) {
       substeps, contacts of @ times the frequency, and softness.)",
       times, parts, stiffer);
   page.choose(
-      {.ask = "The chain with a heavy end flies apart with 2000 sweeps a step. What helps?",
-       .options = {{"a smaller β", "It corrects less, but the correction was not what tore the chain apart."},
-                   {"solving each step directly",
-                    "2000 sweeps solve its six rows almost as well. The directions in J are stale all the same."},
-                   {"substeps", "The rows are solved well already, so the step is too long."},
-                   {"ten times the sweeps", "They change nothing: 2000 sweeps have solved its six rows already."}},
-       .answer = 2,
-       .hints = {"After 2000 sweeps over six rows, what error is left for more sweeps to remove?",
-                 "Sideways the taut chain is an explicit spring: ωh < 2.",
-                 "Which of ω and h does each knob change?"}});
+      {.ask = say(
+           R"(@ substeps, each of as many sweeps, cure the leaning stack and the taut chain. Do they cure the chain
+                  that rings from its warm start?)",
+           parts),
+       .options = {{"yes", "They would if the limit of β grew as h shrinks."},
+                   {"no", "(1 − q)/q contains no h: each substep adds as large a share of the error to λ."}},
+       .answer = holds(1, substeps) ? 0 : 1,
+       .hints = {"By what law does this chain ring?", "β < (1 − q)/q, q = cos²ᵏ(π/2N).",
+                 "Which of β, k and N do substeps change?"}});
   renderer::Chart picture;
   const std::vector<std::string> knobs{"none",
                                        say("@ × sweeps", times),
@@ -152,10 +151,11 @@ void which_knob(const Setting&, Page& page) {
       - Does it *ring*? Then less correction, or a correction that λ does not remember, or a direct solve.
       - Do *more sweeps change nothing*? Then a shorter step, or stiffer contacts.
       - Is it *calm* while λ grows, or has a direct solve no solution? Then look at the rows.)",
-      page.verdict({{.when = Quantity("knobs that cure all five", universal) < 1,
-                     .say = "Each of the five can be cured, but no knob cures all five."},
-                    {.when = Quantity("knobs that cure all five", universal) >= 1,
-                     .say = "Each of the five can be cured, and one knob cures all five."}}));
+      page.verdict(
+          {{.when = Quantity("knobs that cure all five", universal) < 1,
+            .say = "Each of the five can be cured, but no knob that was tried on all five cures them all."},
+           {.when = Quantity("knobs that cure all five", universal) >= 1,
+            .say = "Each of the five can be cured, and one knob cures all five."}}));
   page.claim("failures that fail while no knob is turned", static_cast<double>(fail), "1",
              is(static_cast<double>(rows),
                 "laws of creep, warm starts, transverse instability, buckling and conflicting rows", absolute(0)));

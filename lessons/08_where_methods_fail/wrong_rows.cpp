@@ -37,13 +37,14 @@ double softness_that_bounds(double conflict) {
 }
 
 renderer::Chart over_time(double conflict, const std::vector<double>& shares) {
+  const double h = rods(conflict, 0).step;
   renderer::Chart chart{
       .x = {.label = "time (s)", .scale = renderer::Scale::logarithmic},
       .y = {.label = "pull against each other (weights of the bob)", .scale = renderer::Scale::logarithmic}};
   for (const double share : shares) {
     renderer::Curve curve{.label = share > 0 ? say("softness @ A", Value(share, 2)) : "rigid"};
     for (int i = 1; i <= 40; ++i) {
-      curve.x.push_back(seconds * std::pow(200, i / 40.0 - 1));
+      curve.x.push_back(h * std::round(seconds * std::pow(200, i / 40.0 - 1) / h));
       curve.y.push_back(tug(rods(conflict, share), curve.x.back()) / (mass * gravity));
     }
     chart.curves.push_back(std::move(curve));
@@ -101,7 +102,7 @@ void wrong_rows(const Setting& setting, Page& page) {
   page.text(
       R"(**Symptom of the fifth family:** *the picture is calm*, and a number that nobody looks at is wrong. λ grows
       without bound, a direct solve finds no solution, friction does not hold, something that goes round slows down.
-      The rows are solved well, in short steps, but they are the wrong rows. They repeat each other, contradict each
+      The rows are solved well, in short steps, but they are the wrong rows. They are redundant, contradict each
       other, come in the wrong order, or belong to where the bodies were a moment ago.)");
   page.text(
       R"(Two rods hold one bob of @ kg between the same two points, and one is @ m longer than the other. No λ
@@ -127,13 +128,13 @@ void wrong_rows(const Setting& setting, Page& page) {
        .right = "Every step adds the same amount, so the pull grows in proportion to time, without end."});
   page.figure(
       "two_rods",
-      say(R"(The pull against each other of two rods that differ by @ m: rigid, and with softness in shares of
+      say(R"(The pull against each other of two rods that differ by @ m: rigid, and soft, with γ as a fraction of
                   each row's own A = JM⁻¹Jᵀ. On logarithmic axes, growth in proportion to time is a line of slope 1.)",
           setting.conflict),
       over_time(conflict, {0, bound / 10, bound, 10 * bound}));
   page.text(
       R"(A softness γ lets each row give way a little: JV + b + γλ = 0. The pulls stop growing once γ(λ₁ − λ₂) makes up
-      for the difference of the two biases. If a rod bears the force F, say @ weights of the bob, it takes)",
+      for the difference of the two biases. If a rod can bear a force F, say @ times the bob's weight, it takes)",
       borne);
   page.formula("γ > β Δ/(2 h² F) = @ A", R"(\gamma > \frac{\beta\,\Delta}{2 h^2 F} = @\,A)", Value(bound, 3));
   page.derivation(
@@ -190,13 +191,15 @@ void wrong_rows(const Setting& setting, Page& page) {
   page.sequence(
       "stale_rows",
       say(R"(A particle that starts at @ m/s on a soft rod, without gravity or friction. After @ s its speed is @ m/s
-                    with a stale J and @ m/s with a fresh one.)",
-          circle_speed, circles.seconds(), Value(circles.last(0), 3), Value(circles.last(1), 3)),
+                    with a stale J and @ m/s with a fresh one, which loses @ m/s in the first steps, until the soft rod has its
+                    stretch, and nothing later.)",
+          circle_speed, circles.seconds(), Value(circles.last(0), 3), Value(circles.last(1), 3),
+          Value(circle_speed - circles.last(1), 1)),
       Seconds{circles.seconds()}, circles.drawing());
   page.text(
       R"(**Which knob?** Neither sweeps nor the step. *Regularise*: give the rows a softness, or, in a direct solve,
-      add a share of the diagonal. *Reorder*: solve normals before the friction that they bound. *Refresh*: write J
-      again if bodies have moved between two solves. And where you can, remove a row that repeats another.)");
+      add a share of the diagonal. *Reorder*: solve normals before the friction that they bound. *Refresh*: recompute
+      J if bodies have moved between two solves. And where you can, remove a row that repeats another.)");
   page.text("From the casebook: a joint that works with a stale J, `./lessons/run case 11`.");
 
   page.claim("share of ended runs that end as the law says", runs > 0 ? static_cast<double>(right) / runs : 0, "1",
