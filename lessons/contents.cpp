@@ -80,8 +80,8 @@ const std::vector<About>& contents() {
        .before = "Lessons 1 to 4 and 8; the methods beyond the article are explained."},
       {.slug = "10_beside_the_engines",
        .title = "Beside the engines",
-       .summary =
-           "The same scenes in Box2D, Box3D, Chipmunk, Bullet, ODE and MuJoCo: errors, times, and who wins where.",
+       .summary = "How to compare engines fairly: the same scenes and measures in Box2D, Box3D, Chipmunk, Bullet, "
+                  "ODE and MuJoCo.",
        .method = "velocity stepping by the scene's graph; each engine's own",
        .goals = {"compare engines fairly: the same scene, settings of equal cost, and one definition of error",
                  "say what an engine gives up for its speed, scene by scene",

@@ -64,18 +64,19 @@ void block_on_a_slope(const Setting& setting, Page& page) {
       R"(A block slides where tanθ > μ (lesson 5). With μ = @ the limit is @°. Here the slope is 1° and 0.1° to either
       side of it; on the steeper slopes a block slides by ½at² in @ s, on the others it stays.)",
       mu, Value(limit / degree, 4), time);
-  const double steeper = limit + degree, way = 0.5 * acceleration(steeper) * time * time;
-  page.predict({.ask = say("1° steeper than the limit of @°: how far does the block slide in @ s?",
-                           Value(limit / degree, 4), time),
-                .answer = way,
-                .unit = "m",
-                .tolerance = 0.04 * way,
-                .wrong = {{0.5 * gravity * std::sin(steeper) * time * time, "That is a slope without friction."}},
-                .hints = {"What is left of gravity along the slope, less friction?", "a = g (sinθ − μ cosθ)",
-                          say("a = 9.81 · (sin @° − @ · cos @°)", Value(steeper / degree, 4), mu,
-                              Value(steeper / degree, 4))},
-                .hinted = 0.5 * gravity * (std::sin(steeper) - mu * std::cos(steeper)) * time * time,
-                .right = say("a = @ m/s², and ½at² = @ m.", Value(acceleration(steeper), 3), Value(way, 3))});
+  const double too_far = 100 * frame / time;  // [%]
+  page.predict(
+      {.ask = say(R"(Symplectic Euler at @ steps a second slides further than ½at². By how many per cent in @ s?)",
+                  std::lround(1 / frame), time),
+       .answer = too_far,
+       .unit = "%",
+       .tolerance = 0.03 * too_far,
+       .wrong = {{0.5 * too_far,
+                  "Each step moves by the new speed, not by the mean of old and new: ½ah² too far."},
+                 {100 * frame, "That is h over one second."}},
+       .hints = {"By how much does each step move the block too far?", "½ah² a step, t/h steps: ½ah·t",
+                 "½aht/(½at²) = h/t = …"},
+       .right = say("½at(t + h) instead of ½at²: h/t = 1/@.", std::lround(time / frame))});
   const Field<M> field = field_of(box_on_incline(limit, mu), Kind::contacts, true, 0);
   const std::vector<double> aside{1, 0.1, -0.1, -1};
   std::vector<std::vector<std::string>> rows{{"closed form"}};
@@ -102,19 +103,17 @@ void block_on_a_slope(const Setting& setting, Page& page) {
       if (creeps) ++still_moving, creeping += (creeping.empty() ? "" : "; ") + name;
     }
   rows[0].push_back("0");
-  page.text(R"(In the first frames, before its contacts have an impulse to rub with, a block may slide a little. So
-      the last column is its speed in the last second:)");
-  page.table(
-      {"slid in 2 s", "1° steeper", "0.1° steeper", "0.1° less steep", "1° less steep", "speed there at last"},
-      rows);
+  page.text(
+      R"(In the first frames the contacts have no normal impulse yet, so friction cannot hold and the block may slip a
+      little. The last column therefore gives its speed during the last second:)");
+  page.table({"slid in 2 s", "1° steeper", "0.1° steeper", "0.1° less steep", "1° less steep",
+              "final speed, 1° less steep"},
+             rows);
   const Quantity moving("rows that creep", still_moving);
-  page.text(R"(@ Symplectic Euler slides by ½at(t + h), which exceeds ½at² by @ %.)",
-            theirs == 0
-                ? std::string("There is no other engine here to compare with.")
-                : page.verdict({{.when = moving < 1, .say = "1° less steep all engines hold the block."},
-                                {.when = moving >= 1,
-                                 .say = say("1° less steep these still creep after a second: @.", creeping)}}),
-            Value(100 * frame / time, 2));
+  if (theirs > 0)
+    page.text("@", page.verdict({{.when = moving < 1, .say = "1° less steep all engines hold the block."},
+                                 {.when = moving >= 1,
+                                  .say = say("1° less steep these still creep after a second: @.", creeping)}}));
   slips_for_ever(page, limit - degree, mu);
   for (std::size_t i = 0; i < aside.size(); ++i)
     page.claim(say("this course as shipped, @° from the limit: slid", Value(aside[i], 2)), ours[i], "m",

@@ -10,15 +10,24 @@ namespace byhand::beside {
 namespace {
 
 constexpr double level = std::numbers::pi / 2;
-constexpr int exact_frames = 120;  // 2 s
 constexpr int timed_frames = 120, timed_space_frames = 60;
 constexpr double most_work_of_chains = 100;  // iterations a frame that are tried in space
 
+/// When a load let go level is at its lowest point: a quarter of a pendulum's period, K(sin² 45°) √(L/g) [s].
+double time_down(int links) { return 1.8541 * std::sqrt(links / gravity); }
+
 /// Frames until the load has passed its lowest point, where the pull is greatest (law 7), and half of that time
 /// on: three eighths of a pendulum's period, let go level. At least 6 s.
-int frames_of(int links) {
-  const double quarter = 1.8541 * std::sqrt(links / gravity);  // [s], K(sin² 45°) √(L/g)
-  return static_cast<int>(std::ceil(std::max(6.0, 1.5 * quarter) / frame));
+int frames_of(int links) { return static_cast<int>(std::ceil(std::max(6.0, 1.5 * time_down(links)) / frame)); }
+
+/// After so many frames the places are compared: 2 s, or half the way down.
+int exact_frames_of(int links) { return static_cast<int>(std::min(2.0, 0.5 * time_down(links)) / frame + 0.5); }
+
+/// T h²/(m l) of the topmost pin at the lowest point, with the links' weight, if the chain swings as one rod.
+double number_of_law_7(int links, double end_mass) {
+  const double others = links - 1, moment = end_mass + others / 2,
+               turning = 2 * gravity * moment / (end_mass + others / 3);  // ω² L
+  return ((end_mass + others) * gravity + turning * moment) * frame * frame;
 }
 
 template <class M>
@@ -26,21 +35,21 @@ Scene<M> chain_of(int links, double end_mass) {
   return pinned_chain<M>({.links = links, .end_mass = end_mass, .angle = level});
 }
 
-/// The centres of the links after two seconds, from an integration in their angles to rounding.
+/// The centres of the links when they are compared, from an integration in their angles to rounding.
 std::vector<Eigen::Vector2d> exact_places(int links, double end_mass) {
   std::vector<SwingingChain::Link> all;
   for (int i = 1; i <= links; ++i) {
     const double mass = i == links ? end_mass : 1;
     all.push_back({.length = 1, .centre = 0.5, .mass = mass, .inertia = mass * (1 + 0.01) / 12});
   }
-  return SwingingChain(all, level, gravity).at(exact_frames * frame).positions;
+  return SwingingChain(all, level, gravity).at(exact_frames_of(links) * frame).positions;
 }
 
 /// What has come of a chain. All are infinite once it has flown apart by more than its link, or gained more energy
 /// than gravity could give it: coordinates that cannot part can still explode.
 struct Hung {
   double gap = 0;     // the largest of a pin [m]
-  double off = 0;     // after two seconds, of the link that is farthest from where it belongs [m]
+  double off = 0;     // when compared, of the link that is farthest from where it belongs [m]
   double gained = 0;  // energy at the end less that at first, over what gravity could do over its reach
 };
 
@@ -55,7 +64,7 @@ Hung hang(const Contestant<M>& contestant, const Scene<M>& scene, int frames,
   double most_gained = 0;
   engines::run<M>(contestant, scene, frames, [&](const Scene<M>& seen, double time) {
     hung.gap = larger(hung.gap, position_error(seen).max);
-    if (std::abs(time - exact_frames * frame) < 0.5 * frame)
+    if (std::abs(time - exact_frames_of(static_cast<int>(exact.size())) * frame) < 0.5 * frame)
       for (std::size_t i = 0; i < exact.size(); ++i)
         hung.off = larger(hung.off, (seen.bodies().pose[i + 1].position.template head<2>() - exact[i]).norm());
     hung.gained = (energy(seen) - energy(scene)) / scale;
@@ -73,10 +82,16 @@ std::vector<std::vector<std::string>> energies(const std::vector<Outcomes<Hung>>
                                                const std::vector<Errors>& gaps) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < all.size(); ++i)
-    rows.push_back({all[i].name, in_per_cent(all[i].by_setting[0].gained),
-                    in_per_cent(all[i].by_setting[1].gained),
-                    in_per_cent(all[i].by_setting[gaps[i].best_setting()].gained)});
+    rows.push_back(
+        {all[i].name, in_per_cent(all[i].by_setting[0].gained), in_per_cent(all[i].by_setting[1].gained)});
+  for (std::size_t i = 0; i < all.size() && !alone(); ++i)
+    rows[i].push_back(in_per_cent(all[i].by_setting[gaps[i].best_setting()].gained));
   return rows;
+}
+std::vector<std::string> head_of_energies() {
+  std::vector<std::string> head{"", "as shipped", "as its manual advises"};
+  if (!alone()) head.emplace_back("with the least gap");
+  return head;
 }
 
 /// pinned_tree with the inertia of thin rods: links of 1 kg and about 1 m.
@@ -133,9 +148,9 @@ void chains(const Setting& setting, Page& page) {
       R"(A chain of @ pinned links of 1 m and 1 kg, the last of @ kg, is held level and let go. Every link has to pass
       on the force that holds the chain, so it takes an iteration per link at least, and more with a heavy end (lesson
       3). The load pulls hardest at its lowest point, and a step too long for that pull tears the chain (lesson 8, law
-      7). So it is watched for @ s, until the load has passed that point. The gap is that of the worst pin. A run has
-      failed if a pin opens by a whole link, or if the chain gains more energy than gravity could give it over its
-      reach.)",
+      7). So it is watched for @ s, long enough for the load to pass that point. The gap is that of the worst pin. A run has
+      failed if a pin opens by a whole link, or if the chain gains more energy than it could by falling its whole
+      length.)",
       links, end_mass, Value(frames * frame, 2));
 
   const Field<M> field = field_of(scene, Kind::joints);
@@ -144,10 +159,10 @@ void chains(const Setting& setting, Page& page) {
   const auto gaps = errors_of(outcomes, &Hung::gap), offs = errors_of(outcomes, &Hung::off);
   const double pull = 3 * end_mass * gravity;
   page.predict(
-      {.ask =
-           say(R"(The load of @ kg alone, on a weightless rod, let go level: with what force does the rod pull at
-                the lowest point?)",
-               end_mass),
+      {.ask = say(
+           R"(The load of @ kg alone, on a weightless rod, is released from horizontal: what is the tension at the
+                lowest point?)",
+           end_mass),
        .answer = pull,
        .unit = "N",
        .tolerance = 0.03 * pull,
@@ -158,46 +173,64 @@ void chains(const Setting& setting, Page& page) {
        .right = say("mg + 2mg = @ N. Law 7 wants T h²/(m l) below 1; at one step a frame the load alone makes it "
                     "@, and the links add to that.",
                     Value(pull, 3), Value(pull * frame * frame, 2))});
-  page.table(head_of_three_rows, three_rows<M>(field, gaps, in_millimetres));
-  page.text("Left out: @. @", field.left_out.empty() ? "nobody" : field.left_out, judged(page, gaps));
-  page.figure("chain_gap",
-              say("The chain of @ with @ kg at its end: largest gap of a pin in @ s.", links, end_mass,
-                  Value(frames * frame, 2)),
-              compared(gaps, "largest gap (m)"));
-  page.clocked("chain_clocked",
-               say("Gap and time of the same chain, on this machine at the moment of the run. @", settings_folder),
-               [=] { return against_time(field, gaps, scene, timed_frames, "largest gap (m)"); });
+  tell_three<M>(page, field, gaps, in_millimetres);
+  const Quantity law_7("T h²/(m l) with the links", number_of_law_7(links, end_mass));
+  if (!std::isfinite(gaps.front().shipped()))
+    page.text(
+        "As shipped this course takes one step a frame. @",
+        page.verdict(
+            {{.when = law_7 >= 1,
+              .say = say(
+                  R"(With the links' weight T h²/(m l) is @ at the top, past law 7's limit of 1: the chain
+                  tears. Four substeps divide it by 16@.)",
+                  Value(law_7.value, 2),
+                  std::isfinite(gaps.front().advised()) ? "" : ", which is not enough here")},
+             {.when = law_7 < 1,
+              .say = say(R"(With the links' weight T h²/(m l) is only @ at the top, if the chain swings as one
+                                  rod; but its light end whips, which pulls harder.)",
+                         Value(law_7.value, 2))}}));
+  compare(page, "chain_gap",
+          say("The chain of @ with @ kg at its end: largest gap of a pin in @ s.", links, end_mass,
+              Value(frames * frame, 2)),
+          gaps, "largest gap (m)");
+  compare_by_time(page, "chain_clocked", "Gap and time of the same chain.", gaps,
+                  [=] { return against_time(field, gaps, scene, timed_frames, "largest gap (m)"); });
   stiffer_by_hertz<M>(page, "Box2D 3", scene);
 
   page.text(
-      R"(A small gap is not yet the right motion. Where each link should be after @ s, long before the load is down, is
-      known from an integration in the links' angles. The worst link is off by:)",
-      exact_frames * frame);
-  page.table(head_of_three_rows, three_rows<M>(field, offs, in_millimetres));
-  page.text("@", judged(page, offs));
-  page.clocked("chain_motion_clocked",
-               say("How far the worst link is off after 2 s, and the time of a frame. @", settings_folder),
-               [=] { return against_time(field, offs, scene, timed_frames, "off by (m)"); });
+      R"(A small gap is not yet the right motion. Where each link should be after @ s, before the load is down, is known
+      from an integration in the links' angles. The worst link is off by:)",
+      Value(exact_frames_of(links) * frame, 2));
+  tell_three<M>(page, field, offs, in_millimetres);
+  compare_by_time(page, "chain_motion_clocked", "How far the worst link is off then, and the time of a frame.",
+                  offs, [=] { return against_time(field, offs, scene, timed_frames, "off by (m)"); });
 
-  page.text("The change of energy by the end, over what gravity could give the chain over its reach:");
-  page.table({"", "as shipped", "as its manual advises", "with the least gap"}, energies(outcomes, gaps));
+  page.text("Change in energy at the end, relative to the energy of a fall through the chain's length:");
+  page.table(head_of_energies(), energies(outcomes, gaps));
 
-  const std::vector<std::pair<std::string, Scene<M>>> others{{"chain of 10", chain_of<M>(10, end_mass)},
-                                                             {"chain of 200", chain_of<M>(200, end_mass)},
-                                                             {"tree of 255", tree(8)}};
+  struct Other {
+    std::string name;
+    Scene<M> scene;
+    int frames;
+  };
+  std::vector<Other> others;
+  for (const int length : {10, 200})
+    if (length != links)
+      others.push_back({say("chain of @", length), chain_of<M>(length, end_mass), frames_of(length)});
+  others.push_back({"tree of 255", tree(8), 360});
   page.text(
-      "Chains of other lengths with that end, and a tree of links of 1 kg, each engine as its manual advises:");
+      R"(Other lengths with that end, and a binary tree of 255 links, each of 1 kg, without a load; each engine as its
+      manual advises:)");
   std::vector<std::string> head{"largest gap"};
   std::vector<std::vector<std::string>> rows;
   std::string out;
   for (std::size_t o = 0; o < others.size(); ++o) {
-    const auto& [name, other] = others[o];
+    const auto& [name, other, long_enough] = others[o];
     head.push_back(name);
     const Field<M> some = field_of(other, Kind::joints, false, 0);
-    const int long_enough = o == 2 ? 360 : frames_of(o == 0 ? 10 : 200);
-    const auto all = errors_of(
-        outcomes_of(some, [&, &other = other](const auto& who) { return hang<M>(who, other, long_enough); }),
-        &Hung::gap);
+    const auto all = errors_of(outcomes_of(some, [&, &other = other, frames = long_enough](
+                                                     const auto& who) { return hang<M>(who, other, frames); }),
+                               &Hung::gap);
     for (const Errors& errors : all) {
       auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r[0] == errors.name; });
       if (row == rows.end()) rows.push_back({errors.name}), row = rows.end() - 1;
@@ -224,33 +257,31 @@ void chain_in_space(const Setting& setting, Page& page) {
   });
   const auto gaps = errors_of(outcomes, &Hung::gap), offs = errors_of(outcomes, &Hung::off);
   page.text(
-      R"(The same chain in space: a pin is three rows, and a link moves with six numbers instead of three. Here the
-      engines of space meet this course in space; a line of its own in the figure shows what the smaller model saves.
-      Left out: @.)",
-      field.left_out.empty() ? "nobody" : field.left_out);
-  page.table(head_of_three_rows, three_rows<M>(field, gaps, in_millimetres));
-  page.text("@ The change of energy by the end, over what gravity could give:", judged(page, gaps));
-  page.table({"", "as shipped", "as its manual advises", "with the least gap"}, energies(outcomes, gaps));
-  page.clocked(
-      "space_chain_clocked",
-      say("Gap and time of the chain in space, on this machine at the moment of the run. @", settings_folder),
-      [=] {
-        Chart chart = against_time(field, gaps, scene, timed_space_frames, "largest gap (m)");
-        const Scene<PlaneBody> flat = chain_of<PlaneBody>(links, end_mass);
-        Field<PlaneBody> own = field_of(flat, Kind::joints);
-        own.entrants.resize(1);
-        const auto plane = errors_of(
-            outcomes_of(own, [&](const auto& who) { return hang<PlaneBody>(who, flat, frames); }), &Hung::gap);
-        Curve curve = against_time(own, plane, flat, timed_space_frames, "").curves.front();
-        curve.label += ", in the plane";
-        curve.style = CurveStyle::line;
-        curve.colour = palette::series(0);
-        chart.curves.push_back(curve);
-        return chart;
-      });
-  page.text("How far the worst link is off after @ s:", exact_frames * frame);
-  page.table(head_of_three_rows, three_rows<M>(field, offs, in_millimetres));
-  page.text("@", judged(page, offs));
+      R"(The same chain in space: a pin is three rows, and a link moves with six numbers instead of three. @)",
+      alone() ? ""
+              : "Here the engines of space meet this course in space; a grey line shows what the smaller model "
+                "saves.");
+  tell_three<M>(page, field, gaps, in_millimetres);
+  page.text("Change in energy at the end, as above:");
+  page.table(head_of_energies(), energies(outcomes, gaps));
+  compare_by_time(page, "space_chain_clocked",
+                  "Gap and time of the chain in space. Grey: this course in the plane.", gaps, [=] {
+                    Chart chart = against_time(field, gaps, scene, timed_space_frames, "largest gap (m)");
+                    const Scene<PlaneBody> flat = chain_of<PlaneBody>(links, end_mass);
+                    Field<PlaneBody> own = field_of(flat, Kind::joints);
+                    own.entrants.resize(1);
+                    const auto plane = errors_of(
+                        outcomes_of(own, [&](const auto& who) { return hang<PlaneBody>(who, flat, frames); }),
+                        &Hung::gap);
+                    Curve curve = against_time(own, plane, flat, timed_space_frames, "").curves.front();
+                    curve.label += ", in the plane";
+                    curve.style = CurveStyle::line_and_markers;
+                    curve.colour = palette::muted;
+                    chart.curves.push_back(curve);
+                    return chart;
+                  });
+  page.text("How far the worst link is off after @ s:", Value(exact_frames_of(links) * frame, 2));
+  tell_three<M>(page, field, offs, in_millimetres);
   stiffer_by_hertz<M>(page, "Box3D", scene);
   page.claim("the chain in space, this course as advised: largest gap", gaps.front().advised(), "m",
              is_at_most(0.01, "a hundredth of a link"),

@@ -28,7 +28,7 @@ Entrant<M> entrant_of(const Engine& engine, Kind kind, double most_work) {
 
 template <class M>
 Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody, double most_work) {
-  if (engines::all_engines().empty()) most_work = 0;  // nobody to be best against
+  if (alone()) most_work = 0;  // nobody to be best against
   Field<M> field{{entrant_of<M>(engines::this_course(), kind, most_work)}};
   std::vector<std::pair<std::string, std::string>> reasons;  // and whose
   for (const Engine& engine : engines::all_engines()) {
@@ -65,23 +65,62 @@ std::vector<std::vector<std::string>> three_rows(const Field<M>& field, const st
   return rows;
 }
 
+template <class M>
+void tell_three(Page& page, const Field<M>& field, const std::vector<Errors>& all,
+                const std::function<std::string(double)>& words) {
+  std::vector<std::string> head = head_of_three_rows;
+  std::vector<std::vector<std::string>> rows = three_rows<M>(field, all, words);
+  if (alone()) {
+    constexpr std::size_t shipped_and_advised = 3;
+    head.resize(shipped_and_advised);
+    for (auto& row : rows) row.resize(shipped_and_advised);
+  }
+  page.table(head, rows);
+  const std::string out = left_out(field), verdicts = judged(page, all);
+  if (!out.empty() || !verdicts.empty()) page.text("@@", out, verdicts);
+}
+
+namespace {
+
 Chart compared(const std::vector<Errors>& all, const std::string& label) {
   Chart chart{.y = {.label = label, .scale = Scale::logarithmic}};
   chart.x.range = {{-0.5, static_cast<double>(all.size()) - 0.5}};
   const std::pair<const char*, double (Errors::*)() const> rows[] = {{"as shipped", &Errors::shipped},
                                                                      {"as its manual advises", &Errors::advised},
                                                                      {"best of its settings", &Errors::best}};
+  double aside = -0.12;  // or equal values would hide each other
   for (const auto& [name, number] : rows) {
     Curve curve{.label = name, .style = CurveStyle::markers};
     for (std::size_t i = 0; i < all.size(); ++i) {
-      curve.x.push_back(static_cast<double>(i));
+      curve.x.push_back(static_cast<double>(i) + aside);
       curve.y.push_back(std::max((all[i].*number)(), margin));
     }
     chart.curves.push_back(std::move(curve));
+    aside += 0.12;
   }
   for (std::size_t i = 0; i < all.size(); ++i) chart.x.ticks.push_back({static_cast<double>(i), all[i].name});
   chart.references.push_back({.value = margin, .label = "or less"});
   return chart;
+}
+
+}  // namespace
+
+void compare(Page& page, const std::string& name, const std::string& caption, const std::vector<Errors>& all,
+             const std::string& label) {
+  if (alone()) return;
+  const bool failed = std::any_of(all.begin(), all.end(), [](const Errors& one) {
+    return !std::isfinite(one.shipped()) || !std::isfinite(one.advised()) || !std::isfinite(one.best());
+  });
+  page.figure(name, say("@@", caption, failed ? " A cross: failed." : ""), compared(all, label));
+}
+
+void compare_by_time(Page& page, const std::string& name, const std::string& caption,
+                     const std::vector<Errors>& errors, const std::function<Chart()>& chart) {
+  if (alone()) return;
+  if (std::none_of(errors.begin(), errors.end(), [](const Errors& one) { return std::isfinite(one.best()); }))
+    page.text("No setting survived, so there is no chart of error and time.");
+  else
+    page.clocked(name, caption, chart);
 }
 
 namespace {
@@ -186,7 +225,7 @@ double told(double error) { return std::max(error, margin); }
 }  // namespace
 
 std::string judged(Page& page, const std::vector<Errors>& all) {
-  if (all.size() < 2) return "There is no engine here to compare with.";
+  if (all.size() < 2) return "";
   std::string words;
   const std::pair<const char*, double (Errors::*)() const> rows[] = {
       {"As shipped,", &Errors::shipped}, {"As advised,", &Errors::advised}, {"At their best,", &Errors::best}};
@@ -220,6 +259,8 @@ std::string judged(Page& page, const std::vector<Errors>& all) {
   template Field<M> field_of(const Scene<M>&, Kind, bool, double);                                       \
   template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, \
                                                             const std::function<std::string(double)>&);  \
+  template void tell_three(Page&, const Field<M>&, const std::vector<Errors>&,                           \
+                           const std::function<std::string(double)>&);                                   \
   template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Scene<M>&, int,         \
                               const std::string&);                                                       \
   template double deepest_overlap(const Scene<M>&)

@@ -92,10 +92,18 @@ template <class M>
 std::vector<std::vector<std::string>> three_rows(const Field<M>& field, const std::vector<Errors>& all,
                                                  const std::function<std::string(double)>& words);
 inline const std::vector<std::string> head_of_three_rows{"", "as shipped", "as its manual advises",
-                                                         "best of its settings", "which is"};
+                                                         "best of its settings", "namely"};
 
-/// The same as a chart on a logarithmic axis; what is less than the margin is drawn there.
-Chart compared(const std::vector<Errors>& all, const std::string& label);
+/// Adds these rows as a table, and below it who is left out and who has less error than the course. Alone the
+/// course has no best of its settings.
+template <class M>
+void tell_three(Page& page, const Field<M>& field, const std::vector<Errors>& all,
+                const std::function<std::string(double)>& words);
+
+/// The same as a figure on a logarithmic axis; what is less than the margin is drawn there. None of the course
+/// alone.
+void compare(Page& page, const std::string& name, const std::string& caption, const std::vector<Errors>& all,
+             const std::string& label);
 
 /// Error against microseconds a frame, one curve an entrant: of its settings those that no other of its own beats
 /// in both. Its title names who is ahead of the course somewhere.
@@ -103,11 +111,21 @@ template <class M>
 Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, const Scene<M>& scene, int frames,
                    const std::string& label);
 
-/// Where the settings of a figure stand, for its caption.
-inline const std::string settings_folder =
-    "Each point is one setting, named in the figure's data; all are in `lessons/engines/settings/`.";
+/// The figure of such a chart. None of the course alone, and none where no setting survived.
+void compare_by_time(Page& page, const std::string& name, const std::string& caption,
+                     const std::vector<Errors>& errors, const std::function<Chart()>& chart);
 
-/// Who has less error than the course, by more than a hundredth and the margin: a verdict for each row.
+/// Whether this build has no other engine: then there is nothing to compare.
+inline bool alone() { return engines::all_engines().empty(); }
+
+/// "Left out: Box3D (knows space alone). ", or "".
+template <class M>
+std::string left_out(const Field<M>& field) {
+  return field.left_out.empty() ? "" : say("Left out: @. ", field.left_out);
+}
+
+/// Who has less error than the course, by more than a hundredth and the margin: a verdict for each row; "" of the
+/// course alone.
 std::string judged(Page& page, const std::vector<Errors>& all);
 
 /// The overlap of shapes that is deepest [m].

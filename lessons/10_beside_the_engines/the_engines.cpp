@@ -56,24 +56,32 @@ void the_engines(const Setting&, Page& page) {
     std::string names;
     for (const std::string& name : engines::missing()) names += (names.empty() ? "" : ", ") + name;
     page.text(
-        R"(Not here: @. `./lessons/run 10` installs those that Debian has and builds with them; CMake fetches Box2D 3
+        R"(@Not here: @. `./lessons/run 10` installs those that Debian has and builds with them; CMake fetches Box2D 3
         and Box3D if you configure with `-DBYHAND_BOX2D_3=ON` and `-DBYHAND_BOX3D=ON`.)",
+        alone() ? "This build has no other engine, so each table below has one row, and nothing is drawn: it "
+                  "shows how "
+                  "to measure, not who is better. "
+                : "",
         names);
   }
   std::vector<const Engine*> everybody{&engines::this_course()};
   for (const Engine& engine : all) everybody.push_back(&engine);
   std::vector<std::vector<std::string>> rows;
   for (const Engine* engine : everybody)
-    rows.push_back({engine->name, engine->version, home_of(*engine), engine->single ? "single" : "double",
+    rows.push_back({engine->name, engine->version.empty() ? "this build" : engine->version, home_of(*engine),
+                    engine->single ? "single" : "double",
                     say("@@", engine->method, engine->build.empty() ? "" : say("; @", engine->build)),
                     engine->file.substr(engine->file.rfind('/') + 1)});
-  page.table({"engine", "version", "home", "precision", "how it solves", "its settings"}, rows);
+  page.table({"engine", "version", "dimensions", "precision", "how it solves", "its settings"}, rows);
   page.text(
-      R"(Each takes part three times. *As shipped*: only what must be set is set. *As its manual advises*: the source
-      of the advice is named beside its settings, in `lessons/engines/settings/`. *Best of its settings*: every public
-      knob that matters is turned, and at each cost the best counts. This course is treated the same way. A float has
-      24 bits; at 50 m the last of them is 4 µm, so engines in single precision have no smaller gaps there. Figures end
-      at 1 µm.)");
+      R"(*As shipped*: only what must be set is set. *As its manual advises*: the source of the advice is named beside
+      its settings, in `lessons/engines/settings/` (for this course, its lessons 8 and 9).@)",
+      alone()
+          ? ""
+          : R"( *Best of its settings*: every public knob that matters is turned, and at each cost the best counts; each
+              point of a chart is one setting, named in its data, timed on this machine. This course is treated the
+              same way. A float has 24 bits; at 50 m the last of them is 4 µm, so engines in single precision have no
+              smaller gaps there. Figures end at 1 µm.)");
   page.text(
       R"(An adapter that gave an engine the wrong inertia would make the engine look wrong. So each is first tested on
       what every engine must get right: free fall, and a rod on a pin, whose angle is an elliptic integral.)");
@@ -81,14 +89,15 @@ void the_engines(const Setting&, Page& page) {
   const double step_error = 0.5 * gravity * frame;
   page.predict(
       {.ask =
-           R"(A box is let go in symplectic Euler (gravity first, then the positions), one step of 1/60 s a frame. By
-              how many metres has it fallen too far after a second?)",
+           R"(A box falls from rest under symplectic Euler (velocities first, then positions), with one step of 1/60 s per
+              frame. How many metres too far has it fallen after one second?)",
        .answer = step_error,
        .unit = "m",
        .tolerance = 0.02 * step_error,
-       .wrong = {{gravity * frame, "In each step the error is ½gh², because part of the speed is right."}},
+       .wrong = {{gravity * frame,
+                  "Not gh² a step: the position should move with the mean of the old and the new speed."}},
        .hints = {"Compare the velocity that a step uses with the mean velocity in that step.",
-                 "Each step is too far by h · ½gh.", "60 steps: 60 · ½ · 9.81 · (1/60)² = …"},
+                 "Each step overshoots by ½gh².", "60 steps: 60 · ½ · 9.81 · (1/60)² = …"},
        .right = say("½gh² a step makes ½gt·h = @ m in t = 1 s.", Value(step_error, 3))});
   std::vector<std::pair<std::string, double>> falls{
       {ours_name, fallen(engines::contestant<M>(engines::this_course(), {}))}};
