@@ -60,13 +60,13 @@ std::size_t Agreement::rank() const {
 std::string Agreement::sentence(bool explained) const {
   if (factors.empty()) return "No run of the map is near the limit of the law.";
   if (!explained)
-    return course::say("The law predicts @ of the @ runs near its limit; the fitted limit is @ times the law's.",
+    return course::say("The law predicts @ of the @ runs near its limit; the fitted limit, over the law's, is @.",
                        right, runs, Value(factor(), 3));
   const std::string interval =
       low() < high() ? course::say(" (95 % confidence interval @ to @)", Value(low(), 3), Value(high(), 3)) : "";
   return course::say(
-      "Within a factor of 2 of its limit the law predicts @ of @ runs. The limit fitted to the map is @ times the "
-      "law's@.",
+      "Within a factor of 2 of its limit the law predicts @ of @ runs. The limit fitted to the map, over the "
+      "law's, is @@.",
       right, runs, Value(factor(), 3), interval);
 }
 

@@ -46,6 +46,7 @@ void springs(const Setting& setting, Page& page) {
                  "z² − (2 − 2ζs − s²) z + (1 − 2ζs) = 0 with s = ωh, and z = −1 at the limit.",
                  "z = −1: s² + 4ζs = 4, so for ζ = 1: √8 − 2 = …"},
        .right = say("2(√2 − 1); bisection between runs gives @. Damping makes it worse.", Value(measured(1), 4))});
+  growing_mode(page);
   page.formula(
       "ωh < 2(√(1 + ζ²) − ζ):   @ at ζ = 0, @ at ζ = 1",
       R"(\omega h < 2\left(\sqrt{1 + \zeta^2} - \zeta\right): \quad @ \text{ at } \zeta = 0, \; @ \text{ at } \zeta = 1)",
@@ -58,7 +59,6 @@ void springs(const Setting& setting, Page& page) {
         R"(z^2 - (2 - 2\zeta s - s^2)\,z + (1 - 2\zeta s) = 0)"},
        {"a root reaches z = −1 where", "4 − 4ζs − s² = 0", R"(4 - 4\zeta s - s^2 = 0)"},
        {"the positive root", "s = 2(√(1 + ζ²) − ζ)", R"(s = 2\left(\sqrt{1 + \zeta^2} - \zeta\right))"}});
-  growing_mode(page);
   const Map map = map_of(page, knob("damping ratio ζ", 0, 3, setting.resolution, renderer::Scale::linear),
                          knob("ωh", 0.1, 4, setting.resolution),
                          [](double zeta, double omega_h) { return laws::explicit_spring(omega_h, zeta); });

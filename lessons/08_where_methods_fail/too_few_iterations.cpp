@@ -123,7 +123,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
   page.sequence(
       "leaning_stack",
       say(R"(@, pushed sideways at the top at @ m/s, shown at @ times the speed. With @ a step the stack @; with
-          conjugate sweeps, it @; solved directly, it @. Right: how far the top box has moved@.)",
+          conjugate sweeps the stack @; solved directly it @. Right: how far the top box has moved@.)",
           several(boxes, "box", "boxes"), 0.02, stacks.hurry(), several(sweeps, "sweep"), stacks.fate(0),
           stacks.fate(1), stacks.fate(2), stacks.last(2) < 1e-5 ? " (solved directly: below the chart)" : ""),
       Seconds{stacks.seconds()}, stacks.drawing());

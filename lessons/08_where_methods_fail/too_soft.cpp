@@ -121,7 +121,7 @@ void too_soft(const Setting& setting, Page& page) {
   page.sequence(
       "buckling_stack",
       say(R"(@ boxes on soft contacts, @ sweeps a step, after a slight push, shown at @ times the speed. On contacts
-          of @ Hz the stack @; in 4 substeps, it @; on contacts of @ Hz, it @.)",
+          of @ Hz the stack @; in 4 substeps the stack @; on contacts of @ Hz it @.)",
           filmed, sweeps_filmed, stacks.hurry(), hertz, stacks.fate(0), stacks.fate(1), 4 * hertz, stacks.fate(2)),
       Seconds{stacks.seconds()}, stacks.drawing());
 

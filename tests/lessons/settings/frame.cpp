@@ -54,6 +54,7 @@ constexpr Excepted excepted_pictures[] = {
     {"stack", "a label covers another", "a named tick stands beside the lowest decade of its axis"},
     {"leaning_stack", "a body leaves its frame", "boxes of a fallen stack roll out of sight"},
     {"ringing_chain", "a body leaves its frame", "a chain that rings breaks up and flies out of sight"},
+    {"exploding_chain", "a body leaves its frame", "a chain that tears flies out of sight"},
     {"stack", "a body leaves its frame", "boxes of a fallen stack roll out of sight"},
     {"block_and_row", "a body leaves its frame", "with few sweeps a pin comes off and its box flies out of sight"},
 };
