@@ -76,6 +76,7 @@ void block_on_a_slope(const Setting& setting, Page& page) {
                  {100 * frame, "That is h over one second."}},
        .hints = {"By how much does each step move the block too far?", "½ah² a step, t/h steps: ½ah·t",
                  "½aht/(½at²) = h/t = …"},
+       .hinted = too_far,
        .right = say("½at(t + h) instead of ½at²: h/t = 1/@.", std::lround(time / frame))});
   const Field<M> field = field_of(box_on_incline(limit, mu), Kind::contacts, true, 0);
   const std::vector<double> aside{1, 0.1, -0.1, -1};

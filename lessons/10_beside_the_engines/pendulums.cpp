@@ -108,6 +108,7 @@ void pendulums(const Setting&, Page& page) {
        .hints = {"One joint needs no iterations: what is left is the error of the step.",
                  "The error of symplectic Euler is proportional to the step (lesson 9).",
                  "The step is four times as long."},
+       .hinted = 4,
        .right = say("Order 1 makes it about four times: @ rad instead of @ rad is @.", Value(once, 2),
                     Value(four, 2), Value(ratio, 3))});
   page.text("The rod on a pin:");

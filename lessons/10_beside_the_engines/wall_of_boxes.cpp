@@ -87,8 +87,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
   const int base = setting.base, boxes = base * (base + 1) / 2;
   page.text(
       R"(A pyramid of @ boxes, a tenth of a box apart in each row. Each engine has a second to come to its own rest.
-      From there the pyramid is watched for @ s, once undisturbed and once after a kick of @ m/s at the top. It should
-      not move at all. Sideways motion tears a pyramid apart; downward motion shows how far its contacts give way.)",
+      From there the pyramid is watched for @ s, once undisturbed and once after a kick of @ m/s at the top.)",
       boxes, wall_frames * frame, wall_kick);
   const double friction = Surface{}.friction,
                way = 1000 * wall_kick * wall_kick / (2 * friction * gravity);  // [mm]
@@ -102,6 +101,9 @@ void wall_of_boxes(const Setting& setting, Page& page) {
        .hints = {"How large is the deceleration by friction?", "a = μg, and the way is v²/2a.",
                  say("0.02²/(2 · @ · 9.81) m = …", friction)},
        .right = "v²/2μg: displacements of that size are the kick's own."});
+  page.text(
+      R"(A pyramid should not move at all. Sideways motion tears it apart; downward motion shows how far its contacts give
+      way.)");
   walls_of<PlaneBody>(base, "wall_clocked", most_work_of_walls, page);
 }
 
