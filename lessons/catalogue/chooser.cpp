@@ -197,12 +197,15 @@ int starts_of(const Problem& problem, const Wish& wish, double cost, const Searc
   return std::clamp(static_cast<int>(search.verification / work), std::min(4, search.starts), search.starts);
 }
 
+constexpr double rounding = 1e-9;  // drift below which no more is told apart [m]
+
 double budget_of(const Wish& wish, const Family& family) { return wish.budget ? wish.budget(family) : INFINITY; }
 
 /// The cheaper of two that reach a wish; without limits the more accurate.
 bool preferred(const Candidate& a, const Candidate& b, const Wish& wish) {
   if (a.reached != b.reached) return a.reached;
-  return a.reached && !wish.limits.empty() ? a.point.cost < b.point.cost : a.excess < b.excess;
+  if (a.reached && (!wish.limits.empty() || a.excess == b.excess)) return a.point.cost < b.point.cost;
+  return a.excess < b.excess;
 }
 
 /// The least drift within a budget.
@@ -213,8 +216,9 @@ Candidate most_accurate(const Problem& problem, const Family& family, const Wish
   Candidate best;
   for (const Point& point : runs.points()) {
     const bool reached = point.has(Error::drift) && point.cost <= budget_of(wish, family);
-    if (!best.point.family || (reached && (!best.reached || point[Error::drift] < best.point[Error::drift])))
-      best = {reached, point, reached ? point[Error::drift] : INFINITY};
+    // What is beyond rounding in none is the same in all, and the cheapest is the best.
+    const Candidate now{reached, point, reached ? std::max(point[Error::drift], rounding) : INFINITY};
+    if (!best.point.family || preferred(now, best, wish)) best = now;
   }
   return best;
 }

@@ -21,7 +21,7 @@ std::string described_parameters(const Problem& problem) {
   for (const SceneParameter& parameter : problem.scene().parameters) {
     if (parameter.name == "gravity") continue;
     text += fmt::format("{}{} = {:.4g}", text.empty() ? "" : ", ", parameter.name, problem[parameter.name]);
-    if (parameter.unit != "1") text += " " + parameter.unit;
+    if (parameter.unit != "1") text += (parameter.unit == "°" ? "" : " ") + parameter.unit;
   }
   return text;
 }

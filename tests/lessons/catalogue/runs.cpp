@@ -123,6 +123,11 @@ TEST(Limit, OfLaw7IsThatOfTheHangingChain) {
   }
 }
 
+TEST(Limit, OfLaw18IsOneSweepWhereTheLawAsksForLess) {
+  for (const int boxes : {1, 2, 5}) EXPECT_EQ(limit_of(Problem("stack", {{"boxes", boxes}})).sweeps, 1) << boxes;
+  EXPECT_GE(limit_of(Problem("stack", {{"boxes", 10}})).sweeps, 2);
+}
+
 TEST(Limit, OfASweepIsYoungs) {
   for (const double relaxation : {1.0, 1.2, 1.5, 1.8}) {
     const Problem chain("chain", {{"links", 10}});
