@@ -13,7 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-16;  // where an error of zero is drawn
 constexpr std::size_t most_curves = 7;
-constexpr double budget = 5e10;  // instructions of a chart's runs from all initial conditions
+constexpr double budget = 6e10;  // instructions of a chart's runs from all initial conditions
 
 std::string axis_label(Error error) {
   switch (error) {
@@ -29,7 +29,7 @@ std::string axis_label(Error error) {
 }
 
 std::string axis_label(Cost cost) {
-  return cost == Cost::wall_time ? "cost (µs a frame)" : "cost (instructions a frame)";
+  return cost == Cost::wall_time ? "cost (µs per frame)" : "cost (instructions per frame)";
 }
 
 double on_axis(const byhand::Point& point, Cost cost) {
@@ -148,19 +148,51 @@ Drawn spread_of(const course::Page& page, const Survey& survey, Error error, std
   return drawn;
 }
 
+/// Where an error of rounding is drawn: at the next decade below all others, so that none are empty.
+double floor_of(const Survey& survey, const std::vector<Spread>& spreads, Error error) {
+  std::vector<double> all;
+  for (const Family& family : families())
+    for (const byhand::Point& point : survey.front(family, error))
+      if (std::none_of(spreads.begin(), spreads.end(), [&](const Spread& s) { return s.family == &family; }))
+        all.push_back(std::max(point[error], rounding));
+  for (const Spread& spread : spreads)
+    for (const std::vector<double>& errors : spread.errors)
+      if (const double kept = quantile(errors, kept_share); std::isfinite(kept)) all.push_back(kept);
+  std::sort(all.begin(), all.end());
+  double floor = rounding;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i - 1] < 1e-9 && all[i] > 1e3 * all[i - 1]) floor = std::pow(10, std::floor(std::log10(0.5 * all[i])));
+  return error == Error::trajectory ? std::max(floor, survey.problem.reference().uncertainty) : floor;
+}
+
+constexpr std::array<std::string_view, 8> bright{"direct", "Gauss–Seidel", "RATTLE", "conjugate sweeps",
+                                                 "RK4",    "XPBD",         "AVBD",   "generalised RK4"};
+
+/// A method's place among the curves, and so its marker, the same in every chart: the bright ones come first.
+std::size_t place_of(const Family& family) {
+  const auto own = std::find(bright.begin(), bright.end(), family.name);
+  if (own != bright.end()) return static_cast<std::size_t>(own - bright.begin());
+  std::size_t place = bright.size();
+  for (const Family& other : families()) {
+    if (&other == &family) break;
+    place += std::find(bright.begin(), bright.end(), other.name) == bright.end();
+  }
+  return place;
+}
+
 Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, Error error, Cost cost) {
   Chart chart{.title = title_of(survey.problem),
               .x = {.label = axis_label(error), .scale = Scale::logarithmic},
               .y = {.label = axis_label(cost), .scale = Scale::logarithmic}};
-  const bool counted = cost != Cost::wall_time;
+  const double floor = floor_of(survey, spreads, error);
+  chart.curves.resize(families().size());
   bool named = false;
   for (const Family& family : families()) {
-    if (!counted ||
-        std::any_of(spreads.begin(), spreads.end(), [&](const Spread& s) { return s.family == &family; }))
+    if (std::any_of(spreads.begin(), spreads.end(), [&](const Spread& s) { return s.family == &family; }))
       continue;
     Curve pale{.label = named ? "" : "other methods", .colour = fade(palette::ink, 0.18)};
     for (const byhand::Point& point : survey.front(family, error))
-      pale.x.push_back(std::max(point[error], rounding)), pale.y.push_back(on_axis(point, cost));
+      pale.x.push_back(std::max(point[error], floor)), pale.y.push_back(on_axis(point, cost));
     if (pale.x.empty()) continue;
     named = true;
     chart.curves.push_back(std::move(pale));
@@ -168,32 +200,35 @@ Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, E
   for (const Spread& spread : spreads) {
     Curve kept{
         .label = spread.family->name, .style = CurveStyle::line_and_markers, .colour = colour_of(*spread.family)};
-    Curve median{.colour = fade(*kept.colour, 0.45)};
     for (std::size_t i = 0; i < spread.points.size(); ++i) {
       const byhand::Point& point = spread.points[i];
-      const double y = on_axis(point, cost), error_kept = quantile(spread.errors[i], kept_share),
-                   error_median = quantile(spread.errors[i], 0.5);
-      kept.x.push_back(error_kept), kept.y.push_back(std::isfinite(error_kept) ? y : NAN);
-      median.x.push_back(error_median), median.y.push_back(std::isfinite(error_median) ? y : NAN);
+      const double error_kept = quantile(spread.errors[i], kept_share);
+      kept.x.push_back(std::max(error_kept, floor));
+      kept.y.push_back(std::isfinite(error_kept) ? on_axis(point, cost) : NAN);
       const bool ends = i == 0 || i + 1 == spread.points.size();
       const std::string knobs = spread.family->pass.empty()
                                     ? std::to_string(point.knobs.substeps)
                                     : fmt::format("{}×{}", point.knobs.substeps, point.knobs.passes);
-      kept.point_labels.push_back(ends ? knobs : "");
+      const bool all_one = point.knobs.substeps == 1 && (spread.family->pass.empty() || point.knobs.passes == 1);
+      kept.point_labels.push_back(ends && !all_one ? knobs : "");
     }
-    if (spread.errors.front().size() > 1) chart.curves.push_back(std::move(median));
-    chart.curves.push_back(std::move(kept));
+    chart.curves[place_of(*spread.family)] = std::move(kept);
   }
+  const bool at_the_floor = std::any_of(chart.curves.begin(), chart.curves.end(), [=](const Curve& curve) {
+    return std::find(curve.x.begin(), curve.x.end(), floor) != curve.x.end();
+  });
   // Far below all errors it would only make the chart narrow; the caption names it too.
   const double uncertainty = survey.problem.reference().uncertainty;
   const auto front = pareto_front(survey.points(), error);
-  if (error == Error::trajectory && !front.empty() && uncertainty > front.front()[error] / 100)
+  if (at_the_floor && floor > uncertainty)
+    chart.references.push_back({.axis = renderer::Reference::Across::x, .value = floor, .label = "or less"});
+  else if (error == Error::trajectory && !front.empty() && uncertainty > front.front()[error] / 100)
     chart.references.push_back(
         {.axis = renderer::Reference::Across::x, .value = uncertainty, .label = "uncertainty of the reference"});
   return chart;
 }
 
-std::string caption_of(const Survey& survey, Error error, int starts) {
+std::string caption_of(const Survey& survey, Error error, int starts, bool explained) {
   const NamedScene& scene = survey.problem.scene();
   const double uncertainty = survey.problem.reference().uncertainty, time = survey.problem.compared_at();
   std::string caption =
@@ -214,30 +249,26 @@ std::string caption_of(const Survey& survey, Error error, int starts) {
                         scene.duration);
   if (const double growth = survey.problem.reference().lyapunov_time; std::isfinite(growth))
     caption += course::say(" A small disturbance grows e-fold in @ s.", course::Value(growth, 2));
-  caption +=
-      starts > 1
-          ? course::say(
-                R"( Each curve is the best found for a method: the error that @ of @ initial conditions keep, none of
-                which it was tuned on. Thin: their median.)",
-                static_cast<int>(std::ceil(kept_share * starts)), starts)
-          : std::string(" Each curve is the best found for a method, from one start.");
-  caption += R"( At its ends: substeps a frame × sweeps or iterations in each. All runs are in the data.)";
-  return caption;
+  const int kept = static_cast<int>(std::ceil(kept_share * starts));
+  if (!explained)
+    return caption + (starts == byhand::accuracy::starts ? std::string(" Curves as in step 2.")
+                      : starts == 1                      ? std::string(" Curves as in step 2, from one start.")
+                                    : course::say(" Curves as in step 2, from @ of @ starts.", kept, starts));
+  return caption +
+         course::say(
+             R"( Each curve is the best found for a method: the error not exceeded from @ of @ initial conditions, none
+             used for tuning. At its ends: substeps per frame × sweeps or iterations in each; without a number, one.
+             All runs are in the data.)",
+             kept, starts);
 }
 
 }  // namespace
 
 renderer::Colour colour_of(const Family& family) {
-  constexpr std::array<std::string_view, 8> bright{"direct", "Gauss–Seidel", "RATTLE", "conjugate sweeps",
-                                                   "RK4",    "XPBD",         "AVBD",   "generalised RK4"};
-  const auto own = std::find(bright.begin(), bright.end(), family.name);
-  if (own != bright.end()) return renderer::palette::series(static_cast<int>(own - bright.begin()));
-  int place = 0;
-  for (const Family& other : families()) {
-    if (&other == &family) break;
-    place += std::find(bright.begin(), bright.end(), other.name) == bright.end();
-  }
-  return renderer::mix(renderer::palette::series(place), renderer::palette::muted, 0.55);
+  const auto place = static_cast<int>(place_of(family)), brightest = static_cast<int>(bright.size());
+  return place < brightest
+             ? renderer::palette::series(place)
+             : renderer::mix(renderer::palette::series(place - brightest), renderer::palette::muted, 0.55);
 }
 
 std::string title_of(const Problem& problem) {
@@ -246,36 +277,16 @@ std::string title_of(const Problem& problem) {
   return title;
 }
 
-void show(course::Page& page, const std::string& name, const Survey& survey, Error error) {
+void show(course::Page& page, const std::string& name, const Survey& survey, Error error, bool explained) {
   std::string data = tidy_head() + tidy_rows(survey.problem, survey.points(), survey.watched);
   const Drawn drawn = spread_of(page, survey, error, &data);
-  page.figure(name, caption_of(survey, error, drawn.starts),
+  page.figure(name, caption_of(survey, error, drawn.starts, explained),
               work_precision(survey, drawn.spreads, error, Cost::counted), std::move(data));
 }
 
 void show(course::Page& page, const std::string& prefix, const Survey& survey,
           std::initializer_list<Error> errors) {
   for (const Error error : errors) show(page, fmt::format("{}_{}", prefix, name_of(error)), survey, error);
-}
-
-void show_clocked(course::Page& page, const std::string& name, const Survey& survey, Error error) {
-  std::string ignored;
-  page.clocked(
-      name,
-      R"(The same methods against wall time: the median of a frame from the first initial condition, measured at the
-               moment of the run.)",
-      [survey = Survey(survey), error] {
-        std::vector<Spread> spreads;
-        for (const Family* family : chosen(survey, error)) {
-          Spread spread{family, thinned(survey.front(*family, error)), {}};
-          for (byhand::Point& point : spread.points) {
-            point.nanoseconds = nanoseconds_a_frame(survey.problem, family->setting(point.knobs), 0.02);
-            spread.errors.push_back({std::max(point[error], rounding)});
-          }
-          spreads.push_back(std::move(spread));
-        }
-        return work_precision(survey, spreads, error, Cost::wall_time);
-      });
 }
 
 void claim_first_order(course::Page& page, const Problem& problem, const std::string& source) {

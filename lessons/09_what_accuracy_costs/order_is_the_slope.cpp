@@ -34,29 +34,26 @@ double gain_in_period(const Problem& problem, const Family& family, Knobs knobs)
 void order_is_the_slope(Page& page) {
   const Problem problem("pendulum", {{"length", 2}, {"mass", 3}});
   page.text(
-      R"(A bob of @ kg on a rod of @ m is released level. Elliptic functions give its angle after a second to the last
-      digit. Each curve below is one method with all its choices (substeps, sweeps, cure of drift and its strength,
+      R"(A bob of @ kg on a rod of @ m is released level. Elliptic functions give its angle after a second to machine
+      precision. Each curve below is one method with all its choices (substeps, sweeps, cure of drift and its strength,
       relaxation): at each cost, the least error of any of them. Error grows to the right and work upwards, so **down
-      and left is good**. A run counts only if it does its duty: one in which the rod opens by a tenth of its length
-      has failed, however cheap it is.)",
+      and left is good**. A run counts only if it holds the scene together: one in which the rod opens by a tenth of its
+      length has failed, however cheap it is.)",
       problem["mass"], problem["length"]);
   const Survey& all = survey(page, problem, swing_errors, swing_most);
-  show(page, "pendulum_trajectory", all, Error::trajectory);
+  show(page, "pendulum_trajectory", all, Error::trajectory, true);
   const Prices plane = prices_of(RowKind::bobs, "Gauss–Seidel"),
                space = prices_of(RowKind::links_in_space, "Gauss–Seidel");
   const auto projected = [](RowKind kind) { return prices_of(kind, name_of(Cure::projection)).projected_row; };
   page.text(
-      R"(Work is counted in *instructions* of the processor. Each method counts what it does: rows written, prepared
+      R"(Work is counted in processor *instructions*. Each method counts what it does: rows written, prepared
       and solved, bodies moved, contacts found, rows projected. Each of these has a price in instructions, measured for
       every method, cure and kind of row. For a bob in the plane, a row-solve of Gauss–Seidel, (17) and (20), takes @
       instructions; a row-solve of a projection, which writes C and J anew, takes @. For links in space the two take @
-      and @. Counted like this, work is the same on every machine.)",
+      and @. Counted like this, work is the same on every machine. The clock need
+      not rank methods alike (step 6).)",
       Value(plane.row_solve, 2), Value(projected(RowKind::bobs), 2), Value(space.row_solve, 2),
       Value(projected(RowKind::links_in_space), 2));
-  page.text(
-      R"(Next, the same by the clock. It need not rank methods alike: where each instruction waits for the one before,
-      as in a sweep, instructions take longer.)");
-  show_clocked(page, "pendulum_trajectory_clocked", all, Error::trajectory);
   page.text(
       R"(Both axes are logarithmic, so a power law is a straight line. Where the error falls as hᵖ and the work grows as
       1/h, ten times the work moves a point by p decades to the left. That p is the *order* of the method.)");
@@ -87,8 +84,7 @@ void order_is_the_slope(Page& page) {
                second_period = gain_in_period(problem, rattle, {});
   walking_down(problem, page);
   page.text(
-      R"(Measure the *period* instead, from one passage through the lowest point to the next but one, and the answer
-      changes: the errors are divided by @ and @. Symplectic Euler follows the orbit of a method of order two, half a
+      R"(Measure the *period* instead, over one full swing, and the answer changes: the errors are divided by @ and @. Symplectic Euler follows the orbit of a method of order two, half a
       step behind it, and a clock that is always late by the same amount measures periods well. So the order depends
       on the error that you look at.)",
       Value(first_period, 3), Value(second_period, 3));
@@ -100,8 +96,8 @@ void order_is_the_slope(Page& page) {
   page.claim("the same, RATTLE", second_period, "1", is(4, "order 2", relative(0.05)));
   page.text(
       R"(Two warnings. Errors of opposite sign cancel, so a single point of a curve may lie much too far to the left:
-      trust the slope of many. And every curve ends, at rounding or at the uncertainty of the reference (dotted where
-      it is in sight).)");
+      trust the slope of many. And every curve ends, at rounding or at the uncertainty of the reference (dotted, where
+      visible).)");
   struct Expected {
     const char *family, *source;
     double order;

@@ -92,7 +92,7 @@ std::vector<byhand::Point> refined(const Problem& problem, std::string_view fami
 }
 
 std::string failures(const Survey& survey) {
-  std::string text;
+  std::string text, always;                                   // who failed at times, and who never
   std::vector<std::pair<std::string, std::string>> refusals;  // why, and who
   for (const auto& runs : survey.runs) {
     if (runs.empty()) continue;
@@ -105,8 +105,11 @@ std::string failures(const Survey& survey) {
       failed += point.outcome != Outcome::good && point.outcome != Outcome::too_slow;
       if (point.outcome != Outcome::good) ++ends[std::string(name_of(point.outcome, survey.problem.scene().duty))];
     }
-    if (failed == 0) continue;
     const std::string& name = runs.front().family->name;
+    if (failed == 0) {
+      if (good > 0) always += (always.empty() ? "" : ", ") + name;
+      continue;
+    }
     if (refused && good == 0) {
       const auto same = std::find_if(refusals.begin(), refusals.end(),
                                      [&](const auto& one) { return one.first == refused->reason; });
@@ -120,6 +123,8 @@ std::string failures(const Survey& survey) {
                         name_of(Outcome::good, survey.problem.scene().duty));
     for (const auto& [end, count] : ends) text += fmt::format(", {} {}", count, end);
   }
+  if (!always.empty())
+    text += fmt::format("\n- {}: all runs {}", always, name_of(Outcome::good, survey.problem.scene().duty));
   for (const auto& [why, who] : refusals) text += fmt::format("\n- {}: {}", who, why);
   return text;
 }

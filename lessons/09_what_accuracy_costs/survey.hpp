@@ -52,21 +52,19 @@ std::string title_of(const Problem& problem);
 renderer::Colour colour_of(const Family& family);
 
 /// Error against cost on logarithmic axes: at most seven methods, those on the front and the article's own, by the
-/// errors that 95 % of twenty initial conditions keep (fewer where these runs would take long), with their medians
-/// thin, and the others pale. Its CSV file has all runs.
-void show(course::Page& page, const std::string& name, const Survey& survey, Error error);
+/// errors that 95 % of twenty initial conditions keep (fewer where these runs would take long), and the others
+/// pale. Its CSV file has all runs. `explained`: how to read the curves, in the caption.
+void show(course::Page& page, const std::string& name, const Survey& survey, Error error, bool explained = false);
 /// The charts of several errors, each named "prefix_error".
 void show(course::Page& page, const std::string& prefix, const Survey& survey,
           std::initializer_list<Error> errors);
-/// The same against wall time, measured when it is wanted.
-void show_clocked(course::Page& page, const std::string& name, const Survey& survey, Error error);
 
 /// Runs with these choices at 1, 2, 4 … substeps.
 std::vector<byhand::Point> refined(const Problem& problem, std::string_view family, Knobs knobs, int last);
 /// Claims that the trajectory of the direct solve with substeps is of order 1, from what `source` says.
 void claim_first_order(course::Page& page, const Problem& problem, const std::string& source = "symplectic Euler");
 
-/// How the runs of each family ended, as a list of those that cannot run the problem or did not do their duty.
+/// How the runs of each family ended, as a list; those that refuse the problem with the reason.
 std::string failures(const Survey& survey);
 
 /// What the cheapest run of any of these families costs whose error stays below `at_most` from 95 % of the initial

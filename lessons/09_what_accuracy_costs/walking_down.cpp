@@ -94,7 +94,7 @@ struct WalkFilm {
     const double bar = std::pow(10, std::floor(std::log10(reach)));
     const Spot end(window.right(), into.y + 12);
     canvas.line(end - Spot(bar * camera.scale, 0), end, {palette::ink, 2.5});
-    canvas.text(end - Spot(bar * camera.scale + 8, 0), say("around the bob, @ mm", Value(1000 * bar, 2)),
+    canvas.text(end - Spot(bar * camera.scale + 8, 0), say("close-up of the bob; bar: @ mm", Value(1000 * bar, 2)),
                 {.size = 16, .colour = palette::muted, .anchor = Anchor::right});
   }
 };
@@ -108,8 +108,8 @@ void walking_down(const Problem& problem, Page& page) {
                 .methods = {},
                 .colours = {colour_of(*families[0]), colour_of(*families[1])},
                 .exact = {},
-                .chart = {.x = {.label = "error of the place (m)", .scale = Scale::logarithmic},
-                          .y = {.label = "cost (instructions a frame)", .scale = Scale::logarithmic}},
+                .chart = {.x = {.label = "position error (m)", .scale = Scale::logarithmic},
+                          .y = {.label = "cost (instructions per frame)", .scale = Scale::logarithmic}},
                 .length = problem["length"]};
   const auto exact = problem.scene().exact(problem);
   for (long i = 0; i <= std::lround(problem.compared_at() / frame); ++i)
@@ -130,7 +130,7 @@ void walking_down(const Problem& problem, Page& page) {
     const auto error = [&](std::size_t m, std::size_t of) { return film.methods[m][of].point[Error::trajectory]; };
     const auto millimetres = [&](std::size_t m) { return Value(1000 * error(m, i), 2); };
     acts.push_back(
-        {say("h = 1/@ s: @ mm, @ mm", 60 << i, millimetres(0), millimetres(1)),
+        {say("h = 1/@ s: Euler @ mm, RATTLE @ mm", 60 << i, millimetres(0), millimetres(1)),
          i == 0 ? say("Symplectic Euler (blue) and RATTLE (green), @ s: how far the bob is from its true place.",
                       problem.compared_at())
                 : say("Half the step: the errors are divided by @ and @.", Value(error(0, i - 1) / error(0, i), 2),
@@ -142,7 +142,7 @@ void walking_down(const Problem& problem, Page& page) {
   page.sequence(
       "walking_down",
       say(R"(A walk along two work–precision curves, from one step a frame to @. Above: the pendulum by symplectic
-                    Euler, and the surroundings of the bob's true place (grey) at a fixed scale; purple: the error.)",
+                    Euler, and a close-up of the bob's true place (grey) at a fixed scale.)",
           1 << halvings),
       Seconds{seconds}, [shown = std::move(film)](Canvas& canvas, double time) { shown.draw(canvas, time); });
 }
