@@ -35,14 +35,15 @@ int main(int argc, char** argv) {
       lesson.parameter("appendix", "none", appendix_scenes(), "which further charts the appendix draws");
 
   lesson.step("The methods that compete", the_methods);
+  lesson.deeper("The other methods", other_methods);
   lesson.step("Order is the slope", order_is_the_slope);
   lesson.step("Stable is not accurate", stable_is_not_accurate);
   lesson.deeper("The longest stable step", stability);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);
-  lesson.deeper("The error that sweeps do not reduce", what_the_step_hides);
+  lesson.deeper("More sweeps", what_the_step_hides);
   lesson.deeper("A tolerance in place of a step", accuracy_as_the_input);
   lesson.step("Stacks and pyramids", contacts);
-  lesson.step("One picture and one page", one_page);
+  lesson.step("One picture and one table", one_page);
   lesson.step("Ask the program", [=](course::Page& page) { recommendation(page, setting); });
   lesson.answers({"scene", "drift", "trajectory", "energy", "momentum", "reaction", "budget", "links", "end_mass",
                   "mass", "length", "boxes", "top_mass", "base"});
@@ -60,7 +61,8 @@ int main(int argc, char** argv) {
             R"(For the same row-solves, many short steps are more accurate than one step solved well; but each writes
             its rows anew, and that must be counted.)",
             "A run that falls or comes apart is cheap. It must stand or hold before its errors count.",
-            "Solve scenes without loops directly, with substeps, or in joint coordinates; solve others by sweeps.",
+            R"(A few bodies: one sweep a step is cheapest. Long or heavily loaded chains and columns: solve directly, or use
+            joint coordinates. Contacts with loops (pyramids): sweeps.)",
             "A model with more numbers than a scene needs gives the same motion for more bytes and more time."},
        .tries = {{"The heavy chain: what is cheapest for a millimetre?",
                   "./lessons/run 9 --set scene=chain --set links=50 --set end_mass=100 --set drift=1e-3"},

@@ -6,6 +6,7 @@
 namespace byhand::accuracy {
 
 void the_methods(course::Page& page);
+void other_methods(course::Page& page);
 void order_is_the_slope(course::Page& page);
 void stable_is_not_accurate(course::Page& page);
 void substeps_or_sweeps(course::Page& page);

@@ -1,4 +1,4 @@
-// Step 1: the methods that the charts compare, those that no lesson before has had with their recipes.
+// Step 1 and 1a: the methods that the charts compare, those that no lesson before has had with their recipes.
 
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/catalogue/run.hpp"
@@ -14,15 +14,16 @@ struct Recipe {
 
 const std::vector<Recipe> recipes{
     {"XPBD",
-     "extended position-based dynamics, M. Müller and others, 2020",
+     "extended position-based dynamics; M. Macklin, M. Müller and N. Chentanez, 2016; for rigid bodies M. Müller "
+     "and "
+     "others, 2020",
      R"(corrects *positions*. It lets the bodies move freely, moves them back until the constraints hold, and takes the
      velocities from the distances covered.)",
      {"Move freely: v ← v₀ + hg, x ← x₀ + hv.", "Start every Λ at 0.",
       "For each constraint, at its present C: ΔΛ = −(C + γΛ)/(JM⁻¹Jᵀ + γ).", "Correct at once: x ← x + M⁻¹Jᵀ ΔΛ.",
       "Read the velocity: v ← (x − x₀)/h."},
      "substeps, with one pass over the constraints in each",
-     R"(It holds rods, joints and contacts, and is stable at every step. It does not keep energy: a chord of the path
-     is shorter than the path, so a swing slows down.)"},
+     R"(It holds rods, joints and contacts, and is stable at every step.)"},
     {"AVBD",
      "augmented vertex block descent, C. Giles and others, 2025",
      R"(minimises, *body by body*, the energy of a step of implicit Euler, in which each constraint is a spring of
@@ -46,8 +47,8 @@ const std::vector<Recipe> recipes{
       "Choose λ so that C(x₁) = 0, by Newton's method with one factor.", "V₁ = V½ + ½hg + M⁻¹J(x₁)ᵀμ",
       "Choose μ so that J(x₁)V₁ = 0."},
      "substeps",
-     R"(It holds C and JV to rounding, is of order 2, and its energy error stays bounded. It cannot do contacts or rows
-     that repeat each other, and a step that is too long has no solution.)"},
+     R"(It holds C and JV to rounding, is of order 2, and its energy error stays bounded. It cannot handle contacts or
+     redundant rows, and a step that is too long has no solution.)"},
     {"Accelerations (index 1)",
      "E. Hairer and G. Wanner, Solving Ordinary Differential Equations II",
      R"(are not a method yet, but the base of three: explicit Euler, RK4 and implicit midpoint. Differentiate C twice,
@@ -63,7 +64,8 @@ const std::vector<Recipe> recipes{
      {"k₁ at the start", "k₂ half a step along k₁", "k₃ half a step along k₂", "k₄ a whole step along k₃",
       "The step: h (k₁ + 2k₂ + 2k₃ + k₄)/6"},
      "substeps",
-     R"(It is of order 4, the highest here. Its errors of drift and energy are small, but grow with time.)"},
+     R"(It is of order 4, the highest of the fixed-step methods here. Its drift and energy error are small, but grow
+     with time.)"},
     {"Implicit midpoint",
      "symmetric in time, the simplest of Gauss's rules",
      R"(integrates the same accelerations with one slope a step, that at its own middle.)",
@@ -86,7 +88,7 @@ const std::vector<Recipe> recipes{
      R"(No joint opens at any step, the work is in proportion to the number of joints, and RK4 keeps its order 4. It
      works on trees: no loops, contacts or bounds. It can be unstable: a step that is too long makes energy.)"},
     {"NNCG",
-     "nonlinear conjugate gradients on sweeps, M. Silcowitz-Hansen and others, 2010; *conjugate sweeps* on the "
+     "nonsmooth nonlinear conjugate gradients, M. Silcowitz-Hansen and others, 2010; *conjugate sweeps* on the "
      "charts",
      R"(speeds up Gauss–Seidel. It takes the change of λ by a sweep for a gradient, and lets λ move on along earlier
      changes too.)",
@@ -105,11 +107,16 @@ const std::vector<Recipe> recipes{
      R"(It does all that Gauss–Seidel does, and the order of the rows does not matter. The error falls as 1/k² in k
      iterations.)"}};
 
+const Recipe& recipe_of(std::string_view name) {
+  return *std::find_if(recipes.begin(), recipes.end(), [=](const Recipe& one) { return one.name == name; });
+}
+
 void introduce(Page& page, const Recipe& recipe) {
   std::string text =
       say("**@** (@) @\n\n", std::string(recipe.name), std::string(recipe.source), unwrapped(recipe.idea));
   for (const std::string_view line : recipe.lines) text += say("- @\n", std::string(line));
-  page.text(text + say("\nKnob: @. @", std::string(recipe.knob), unwrapped(recipe.holds)));
+  page.text(text +
+            say("\n*Knob*: @. *Strengths and limits*: @", std::string(recipe.knob), unwrapped(recipe.holds)));
 }
 
 /// The largest error of a pendulum's rod within a time [m].
@@ -132,8 +139,17 @@ std::string answer(const std::string& refusal) { return refusal.empty() ? "yes" 
 void the_methods(Page& page) {
   page.text(
       R"(Eight lessons have given you methods and their knobs. This one runs them all on scenes whose true motion is
-      known, and sets their errors against the work they take.)");
+      known, and sets their errors against the work they take. Two new ones come first, in five lines each; step 1a has
+      the others.)");
+  introduce(page, recipe_of("XPBD"));
+  introduce(page, recipe_of("RATTLE"));
+  page.text(
+      R"(The charts also show methods of earlier lessons: Gauss–Seidel, its symmetric form and SOR, Jacobi, conjugate
+      gradients and direct solves (lesson 3), Baumgarte (lesson 4), split impulse, soft constraints and projection. Any
+      cure of drift goes with any solver of rows; each point of a chart is the best of their combinations.)");
+}
 
+void other_methods(Page& page) {
   const Problem pendulum("pendulum", {{"length", 2}, {"mass", 3}}), stack("stack", {{"boxes", 3}});
   const byhand::Setting rk4 = family_named("RK4").setting({});
   const double five = drift_within(pendulum, rk4, 5), ten = drift_within(pendulum, rk4, 10);
@@ -151,13 +167,9 @@ void the_methods(Page& page) {
        .hints = {"What does C̈ = 0 say about C itself?", "C̈ = 0 integrates to C = C₀ + Ċ₀ t.",
                  "Each step leaves a small error in C₀ or Ċ₀. What removes it?"}});
 
-  page.text("These are new here. Each has a paragraph, five lines and its knob.");
-  for (const Recipe& recipe : recipes) introduce(page, recipe);
-  page.text(
-      R"(The charts also show methods of earlier lessons: Gauss–Seidel, its symmetric form and SOR, Jacobi, conjugate
-      gradients and direct solves (lesson 3), Baumgarte (lesson 4), split impulse, soft constraints and projection. Any
-      cure of drift goes with any solver of rows; each point of a chart is the best of their combinations. Not every
-      method can do every scene:)");
+  for (const Recipe& recipe : recipes)
+    if (recipe.name != "XPBD" && recipe.name != "RATTLE") introduce(page, recipe);
+  page.text("Not every method can do every scene:");
   std::vector<std::vector<std::string>> rows;
   int without_contacts = 0, refused = 0;
   for (const Family& family : families()) {
