@@ -20,24 +20,25 @@ void what_the_step_hides(Page& page) {
   const byhand::Point exact =
       measure(problem, family_named("direct"), {.cure = Cure::baumgarte, .strength = beta});
 
-  page.predict(
+  const byhand::Point& one = points.front();
+  const double divided = one[Error::trajectory] / many[Error::trajectory];
+  page.choose(
       {.ask =
-           say(R"(A double pendulum, solved in one step a frame by @ sweeps, is @ m off its trajectory after @ s.
-                  How far off is it with @ sweeps?)",
-               some.knobs.passes, Value(some[Error::trajectory], 3), problem.scene().time, many.knobs.passes),
-       .answer = many[Error::trajectory],
-       .unit = "m",
-       .tolerance = 0.03 * some[Error::trajectory],
-       .wrong = {{0, "Then the rows are solved to rounding. But the step is as long as before."},
-                 {some[Error::trajectory] * std::sqrt(static_cast<double>(some.knobs.passes) / many.knobs.passes),
-                  "After a few sweeps the rows are nearly solved; what is left is the error of the step."}},
+           say(R"(With @ sweep a step, a double pendulum is @ m off its trajectory after @ s. By what factor do @
+                  sweeps a step reduce that?)",
+               one.knobs.passes, Value(one[Error::trajectory], 2), problem.scene().time, many.knobs.passes),
+       .options = {{"1",
+                    say(R"(Hardly at all: this is the error of the step. The direct solve of the same steps is @ m
+                             off. Change h, not the sweeps.)",
+                        Value(exact[Error::trajectory], 4))},
+                   {"100", "The error of the solver falls so. But most of this is the error of the step."},
+                   {"10 000", "The rows are solved to rounding then. But the step is as long as before."}},
+       .answer = divided < 10     ? 0
+                 : divided < 1000 ? 1
+                                  : 2,
        .hints = {"What would a direct solve of the same steps give?",
-                 "error = error of the solver + error of the step", "The error of the solver is small already."},
-       .hinted = exact[Error::trajectory],
-       .right = say(
-           R"(Nothing changes: this is the error of the step. The direct solve of the same steps is @ m off. Change
-                    h, not the sweeps.)",
-           Value(exact[Error::trajectory], 4))});
+                 "error = error of the solver + error of the step",
+                 "A warm start has made the first small already."}});
   renderer::Chart chart{.title = title_of(problem) + "; one step a frame",
                         .x = {.label = "sweeps a step", .scale = renderer::Scale::logarithmic},
                         .y = {.label = "error (m, m/s)", .scale = renderer::Scale::logarithmic}};
