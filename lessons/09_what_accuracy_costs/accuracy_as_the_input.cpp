@@ -78,8 +78,8 @@ void accuracy_as_the_input(Page& page) {
       taken back and a shorter one is tried. Otherwise the next one may be longer. RATTLE needs no further solve for e:
       the substep has moved a body by h times V in its middle, and e is how far the mean of V at its two ends would
       have moved it elsewhere. Generalised coordinates use a pair of rules by Fehlberg. Five slopes give a rule of order
-      4, a sixth slope gives one of order 5, and e is the difference. A turn counts as the way of a point at the radius
-      of gyration, so e is in metres for every body.)");
+      4, a sixth slope gives one of order 5, and e is the difference. A rotation is measured by the arc at the radius of
+      gyration, so e is in metres for every body.)");
   const Asked rattle = asked<Rattle>(page, watched, "RATTLE"),
               joints = asked<Generalised>(page, watched, "generalised coordinates");
   const Tried fixed = tried(watched, Rattle{}, frame);
@@ -89,24 +89,23 @@ void accuracy_as_the_input(Page& page) {
       .y = {.label = say("largest error in @ s (m)", span), .scale = renderer::Scale::logarithmic}};
   std::string slopes;
   for (const Asked& method : {rattle, joints}) {
-    chart.curves.push_back({.label = method.name,
-                            .x = method.tolerances,
-                            .y = method.errors,
-                            .style = renderer::CurveStyle::line_and_markers});
+    chart.curves.push_back(
+        {.label = method.name,
+         .x = method.tolerances,
+         .y = method.errors,
+         .style = renderer::CurveStyle::line_and_markers,
+         .colour = colour_of(family_named(method.name == rattle.name ? "RATTLE" : "generalised RK4"))});
     const Order fit = method.slope();
     slopes +=
         say("\n- @: tolerance to the power @ ± @. The error @ the tolerance.", method.name, Value(fit.slope, 3),
             Value(fit.uncertainty, 1), std::abs(fit.slope - 1) < 0.1 ? "follows" : "does not follow");
   }
-  chart.curves.push_back({.label = "tolerance × time", .x = rattle.tolerances, .y = {}});
+  chart.curves.push_back(
+      {.label = "tolerance × time", .x = rattle.tolerances, .y = {}, .style = renderer::CurveStyle::theory});
   for (const double tolerance : rattle.tolerances) chart.curves.back().y.push_back(tolerance * span);
   chart.references = {
       {.axis = renderer::Reference::Across::y, .value = fixed.error, .label = "RATTLE, one step a frame"}};
-  page.figure(
-      "tolerance",
-      R"(Error over tolerance. A fixed step has no tolerance, so its line is level. The errors of the two others go down with
-      the tolerance.)",
-      chart);
+  page.figure("tolerance", R"(Error over tolerance. A fixed step has no tolerance, so its line is level.)", chart);
   page.text("Over these five tolerances the error goes as:\n" + slopes);
   for (const Asked& method : {rattle, joints}) {
     page.claim("error over tolerance, " + method.name + ": slope", method.slope().slope, "1",
@@ -131,13 +130,11 @@ void accuracy_as_the_input(Page& page) {
   const double ratio = own.row_solves / best.row_solves;
   page.text(
       R"(Does that cost more? At @ m/s RATTLE is @ m off at most, for @ row-solves, the substeps that it took back among
-      them. The smallest fixed number of substeps in @ s that is as good is @, for @ row-solves. So the tolerance costs @
-      times as much, @.)",
-      course::typed(tolerance), Value(own.error, 2), own.row_solves, span / looks, enough, best.row_solves,
-      Value(ratio, 2),
-      ratio > 1.3   ? "and the fixed step is cheaper for those who know it"
-      : ratio < 0.9 ? "which is less"
-                    : "which is about the same");
+      them. The fewest fixed substeps that are as good are @ a second, for @ row-solves. @)",
+      course::typed(tolerance), Value(own.error, 2), own.row_solves, enough / (span / looks), best.row_solves,
+      ratio < 0.9   ? say("So the tolerance costs @ % less.", Value(100 * (1 - ratio), 2))
+      : ratio > 1.3 ? say("So the tolerance costs @ times as much, if you know that number.", Value(ratio, 2))
+                    : std::string("So the tolerance costs about as much."));
   page.claim("cost of the tolerance over that of the best fixed step", ratio, "1",
              is_at_most(1.3, "the estimate costs no solve"));
 
@@ -146,12 +143,12 @@ void accuracy_as_the_input(Page& page) {
   int refusals = 0;
   for (int count = 1; count <= 16; count *= 2)
     if (!std::isfinite(tried(heavy, Rattle{.substeps = count}, frame).error))
-      refused += (refusals++ ? ", " : "") + std::to_string(count);
+      refused += (refusals++ ? " or " : "") + std::to_string(count);
   const Tried controlled = tried(heavy, Controlled<Rattle>{tolerance}, span);
   page.text(
-      R"(The gain is another one. Hang @ kg on a chain of @ links. With these fixed numbers of substeps a frame RATTLE's
-      equations have no solution at some time: @. With a tolerance of @ m/s it makes @ substeps in @ s and is @ m off at
-      most: a substep that has no solution is only one that is too long. The same number serves both scenes.)",
+      R"(Its real advantage is robustness. Hang @ kg on a chain of @ links. With @ fixed substeps a frame, RATTLE's
+      equations have no solution at some point. With a tolerance of @ m/s it makes @ substeps in @ s and is @ m off at
+      most: a substep that has no solution is retried with a shorter one. The same number serves both scenes.)",
       heavy.problem["end_mass"], heavy.problem["links"], refused, course::typed(tolerance), controlled.substeps,
       span, Value(controlled.error, 2));
   page.claim("heavy chain: fixed numbers of substeps without a solution", refusals, "1",

@@ -12,7 +12,7 @@ namespace {
 struct Chapter {
   std::string name;
   std::vector<Problem> problems = {};
-  double most = 0;  // instructions a frame
+  double most = 0;  // instructions per frame
   int runs = 0;
   std::string first_order = "";  // why the direct solve is of order 1, where that is claimed
   void (*page)(Page&) = nullptr;

@@ -10,8 +10,8 @@ void contacts(Page& page) {
   const std::vector<Error> watched{Error::drift, Error::trajectory, Error::contact};
   const Survey &column = survey(page, stack, watched, 1.5e5, 80), &wall = survey(page, pyramid, watched, 3e5, 50);
   page.text(
-      R"(Contacts have bounds, and here the right motion is simple: none. Ten boxes stand on each other, and the top
-      one is pushed slightly, at @ m/s: a stack that only looks stable does not survive that. A fallen stack has few
+      R"(Contacts have bounds, and here the right motion is simple: none. Ten boxes stand on each other and are kicked,
+      the top at @ m/s and each other in proportion to its height: a stack that only looks stable does not survive that. A fallen stack has few
       contacts left and is cheap, so a run counts only if, for @ s, every box stays within half a box of its place. The
       error is then the largest distance of a box from its place after @ s.)",
       stack["kick"], stack.scene().duration, stack.scene().time);
@@ -27,7 +27,7 @@ void contacts(Page& page) {
   page.text(
       R"(A pyramid stands by its shape: of @ runs by Gauss–Seidel, @ hold it. The methods differ in how deep the boxes
       sink into one another, and in cost. The loops of the pyramid fill the factor of a direct solve, and its rows
-      repeat each other, so the solve needs regularisation.)",
+      are redundant, so the solve needs regularisation.)",
       swept, standing);
   show(page, "pyramid_drift", wall, Error::drift);
   page.text("How the runs ended:\n" + failures(wall));
@@ -41,12 +41,12 @@ void contacts(Page& page) {
   const auto compared = [](double direct, double other) {
     if (!std::isfinite(direct) && !std::isfinite(other)) return std::string("no method on the chart will do");
     if (!std::isfinite(direct))
-      return say("the direct solve will not do, and the best other method costs @ instructions a frame",
+      return say("the direct solve will not do, and the best other method costs @ instructions per frame",
                  Value(other, 3));
     if (!std::isfinite(other))
-      return say("only the direct solve will do, for @ instructions a frame", Value(direct, 3));
+      return say("only the direct solve will do, for @ instructions per frame", Value(direct, 3));
     return direct < other
-               ? say("the direct solve costs @ instructions a frame, the best other method @ times as much",
+               ? say("the direct solve costs @ instructions per frame, the best other method @ times as much",
                      Value(direct, 3), Value(other / direct, 2))
                : say("the direct solve costs @ times as much as the best other method", Value(direct / other, 2));
   };
@@ -57,8 +57,8 @@ void contacts(Page& page) {
       page.verdict(
           {{.when = where(Quantity("stack: direct over others", column_direct / column_other) < 1,
                           Quantity("pyramid: others over direct", wall_other / wall_direct) < 1),
-            .say = R"(That agrees with the rule of lesson 3: scenes without loops (chains, columns) directly,
-                         others by sweeps.)"}}));
+            .say = R"(In these two scenes that agrees with the rule of lesson 3: without loops directly, others
+                         by sweeps.)"}}));
 
   const Knobs whole = with_cure({}, Cure::baumgarte);
   const byhand::Point once = measure(stack, family_named("direct"), whole),

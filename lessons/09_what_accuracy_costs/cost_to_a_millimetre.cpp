@@ -53,7 +53,7 @@ renderer::Chart chart_of(const Scaling& scaling, const std::string& label, const
   using namespace renderer;
   Chart chart{.title = "cost to a drift of 1 mm",
               .x = {.label = label, .scale = Scale::logarithmic},
-              .y = {.label = "cost (instructions a frame)", .scale = Scale::logarithmic}};
+              .y = {.label = "cost (instructions per frame)", .scale = Scale::logarithmic}};
   for (std::size_t i = 0; i < compared.size(); ++i)
     chart.curves.push_back({.label = std::string(compared[i]),
                             .x = scaling.x,

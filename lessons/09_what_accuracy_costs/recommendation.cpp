@@ -62,6 +62,8 @@ std::map<Error, double> limits_of(const Setting& setting) {
 
 std::string unit(Error error) { return unit_of(error) == "1" ? "" : " " + std::string(unit_of(error)); }
 
+bool is_length(Error error) { return error == Error::drift || error == Error::trajectory; }
+
 /// "a drift", "an energy".
 std::string with_article(Error error) {
   const std::string name(name_of(error));
@@ -82,7 +84,7 @@ std::string in_words(double value, Error error) {
 }
 
 std::string cost_in_words(const byhand::Point& point) {
-  return say("@ instructions a frame", Value(point.cost, 3));
+  return say("@ instructions per frame", Value(point.cost, 3));
 }
 
 /// Errors over the asked limit, of a candidate's run.
@@ -96,9 +98,9 @@ std::string reached_in_words(const byhand::Point& point, const std::map<Error, d
 
 std::string law_18(const LawLimit& limit, const Knobs& knobs) {
   const double worth = static_cast<double>(knobs.passes) * knobs.substeps * knobs.substeps;
-  return say("law 18: plain sweeps times substeps squared must exceed @, and here they are @@", limit.number,
-             worth,
-             worth >= limit.sweeps   ? std::string()
+  return say("law 18: plain sweeps times substeps squared must exceed @; here it is @@", limit.number, worth,
+             limit.sweeps == 1       ? std::string(", so the law sets no limit")
+             : worth >= limit.sweeps ? std::string(", which is enough")
              : knobs.relaxation != 1 ? say(", which is enough with ω = @", Value(knobs.relaxation, 3))
                                      : std::string(", and it stood all the same"));
 }
@@ -114,9 +116,8 @@ std::string why(const byhand::Choice& choice, const std::map<Error, double>& lim
                                    : say("it takes about @ substeps to hold", limit.substeps));
   else if (limit.law == 18)
     text = choice.best.point.family->exact
-               ? say("law 18: it would take more than @ sweeps in a step of a frame; law 20: an exact solve holds "
-                     "any column",
-                     limit.number)
+               ? say("law 18: @ sweeps in a step of a frame@; law 20: an exact solve holds any column",
+                     limit.number, limit.sweeps == 1 ? ", which any number satisfies" : " or more would do")
                : law_18(limit, knobs);
   else if (limit.law == 13)
     text = say("law 13: it turns by @ in a step of a frame", limit.number);
@@ -133,20 +134,19 @@ std::string why(const byhand::Choice& choice, const std::map<Error, double>& lim
 }
 
 /// What else this run gets wrong, and how badly.
-void show_errors(Page& page, const byhand::Point& best, const Problem& problem) {
+void show_errors(Page& page, const byhand::Point& best, const Problem& problem, bool asked) {
   std::vector<std::vector<std::string>> rows;
   std::string warnings;
   for (const Error error : errors) {
     if (!best.has(error)) continue;
-    const bool length = error == Error::drift || error == Error::trajectory;
-    const double bad = length ? problem.size() / 10 : 0.1;
+    const double bad = is_length(error) ? problem.size() / 10 : 0.1;
     rows.push_back({std::string(name_of(error)), in_words(best[error], error), best[error] > bad ? "bad" : ""});
     if (best[error] > bad) warnings += say("@@", warnings.empty() ? "" : ", ", std::string(name_of(error)));
   }
   page.table({"error of this run", "how much", ""}, rows);
   if (!warnings.empty())
-    page.text("**Warning:** it keeps what you ask, but is bad in: @. Ask for these too if they matter to you.",
-              warnings);
+    page.text("**Warning:** it @, but is bad in: @. Set limits for these too if they matter.",
+              asked ? "keeps what you ask" : "has the least drift found", warnings);
 }
 
 std::string runners_up(const byhand::Choice& choice, const std::map<Error, double>& limits) {
@@ -168,26 +168,33 @@ std::string passed(const byhand::Choice& choice) {
   return lines;
 }
 
-/// A factor above 1 in words: "4 % more", "2.1 times as much".
-std::string beside_one(double factor, const char* as_much, const char* more) {
-  return factor < 1.1 ? say("@ % @", Value(100 * (factor - 1), 1), more)
-                      : say("@ times @", Value(factor, 2), as_much);
+/// A parameter's name without underscores.
+std::string in_prose(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 std::string margin_in_words(const byhand::Choice& choice, const Problem& problem) {
-  const std::string& stress = problem.scene().stress;
+  const std::string &stress = problem.scene().stress, name = in_prose(stress);
   if (std::isnan(choice.margin)) return "";
   if (std::isinf(choice.margin))
-    return say("It still keeps that with the largest @ that was tried, up to a thousand times as large.", stress);
-  return say("It no longer keeps that if @ is @ (@).", stress, beside_one(choice.margin, "as large", "larger"),
-             Value(choice.margin * problem[stress], 3));
+    return say("It still holds with the largest @ that was tried, up to a thousand times as large.", name);
+  const auto& all = problem.scene().parameters;
+  const std::string unit =
+      std::find_if(all.begin(), all.end(), [&](const SceneParameter& one) { return one.name == stress; })->unit;
+  return say("It fails once @ reaches @@, @.", name, Value(choice.margin * problem[stress], 3),
+             unit == "1"   ? ""
+             : unit == "°" ? unit
+                           : " " + unit,
+             choice.margin < 1.1 ? say("@ % more than it is", Value(100 * (choice.margin - 1), 1))
+                                 : say("@ times the present value", Value(choice.margin, 2)));
 }
 
-/// "all methods were tried up to 370 000 instructions a frame, …".
+/// "all methods were tried up to 370 000 instructions per frame, …".
 std::string searched_in_words(const byhand::Choice& choice) {
   if (std::isinf(choice.searched)) return "all methods were tried within the time that you allow";
   return say(
-      "all methods were tried up to @ instructions a frame@", Value(choice.searched, 2),
+      "all methods were tried up to @ instructions per frame@", Value(choice.searched, 2),
       choice.searched_exactly > choice.searched
           ? say(", and XPBD and those that solve each step exactly up to @", Value(choice.searched_exactly, 2))
           : std::string());
@@ -200,7 +207,7 @@ std::string certainty(const byhand::Choice& choice, const std::map<Error, double
   std::string text =
       say("Verified: run for @ s from @ initial conditions, its own and others within a twentieth of it, "
           "it @ in all.",
-          verified.seconds, verified.starts, limits.empty() ? "did its duty" : "kept what you ask");
+          verified.seconds, verified.starts, limits.empty() ? "held" : "kept what you ask");
   text +=
       verified.certified()
           ? " So with 95 % confidence more than 95 % of such starts go well."
@@ -208,6 +215,19 @@ std::string certainty(const byhand::Choice& choice, const std::map<Error, double
                 "would take @ starts to say 95 %, and each is a long run.",
                 Value(100 * std::pow(0.05, 1.0 / verified.starts), 2), certain);
   return text + say(" @ runs were made; @.", choice.spent.runs, searched_in_words(choice));
+}
+
+/// Where an error of rounding is drawn: at the next decade below the others and the limit.
+double floor_of(const byhand::Choice& choice, Error error, double limit) {
+  double least = limit;
+  const auto look = [&](const byhand::Point& point) {
+    if (point.has(error) && point[error] > finest) least = std::min(least, point[error]);
+  };
+  look(choice.best.point);
+  for (std::size_t i = 0; i < std::min(choice.runners_up.size(), shown); ++i) look(choice.runners_up[i].point);
+  for (const auto& tighter : {choice.robust, choice.finer})
+    if (tighter) look(*tighter);
+  return std::isfinite(least) ? std::pow(10, std::floor(std::log10(0.5 * least))) : finest;
 }
 
 renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
@@ -218,11 +238,15 @@ renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
               .x = {.label = say("@@", std::string(name_of(error)),
                                  unit_of(error) == "1" ? "" : say(" (@)", std::string(unit_of(error)))),
                     .scale = Scale::logarithmic},
-              .y = {.label = "cost (instructions a frame)", .scale = Scale::logarithmic}};
+              .y = {.label = "cost (instructions per frame)", .scale = Scale::logarithmic}};
+  const double floor = floor_of(choice, error, limits.empty() ? INFINITY : limits.begin()->second);
   const auto add = [&](const byhand::Point& point, const std::string& label) {
     if (!point.has(error)) return;
-    chart.curves.push_back(
-        {.label = label, .x = {std::max(point[error], 1e-16)}, .y = {point.cost}, .style = CurveStyle::markers});
+    chart.curves.push_back({.label = label,
+                            .x = {std::max(point[error], floor)},
+                            .y = {point.cost},
+                            .style = CurveStyle::markers,
+                            .colour = colour_of(*point.family)});
   };
   add(choice.best.point, choice.best.point.described());
   for (std::size_t i = 0; i < std::min(choice.runners_up.size(), shown); ++i)
@@ -235,6 +259,8 @@ renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
   if (!limits.empty())
     chart.references.push_back(
         {.axis = renderer::Reference::Across::x, .value = limits.begin()->second, .label = "asked for"});
+  if (std::any_of(chart.curves.begin(), chart.curves.end(), [=](const Curve& one) { return one.x[0] == floor; }))
+    chart.references.push_back({.axis = renderer::Reference::Across::x, .value = floor, .label = "or less"});
   return chart;
 }
 
@@ -270,6 +296,10 @@ void recommendation(Page& page, const Setting& setting) {
                 with_article(error), least, unit(error));
       return;
     }
+  for (const auto& [error, limit] : limits)
+    if (limit >= (is_length(error) ? std::max(problem.size(), 1e-3) : 1))
+      page.text("A limit of @@ on @ is as wide as the scene itself: almost any run that holds together keeps it.",
+                limit, unit(error), std::string(name_of(error)));
   const bool by_clock = setting.budget() > 0;
   const std::string within =
       by_clock ? say(" within @ µs a frame by this machine's clock", setting.budget() * 1e6) : "";
@@ -316,36 +346,41 @@ void recommendation(Page& page, const Setting& setting) {
               by_clock ? say(", @ µs by the clock", Value(nanoseconds / 1000, 3)) : "",
               margin_in_words(choice, problem));
     page.text("**Why:** @.", why(choice, limits));
-    show_errors(page, best, problem);
+    show_errors(page, best, problem, !limits.empty());
     page.text(certainty(choice, limits));
     if (const std::string others = runners_up(choice, limits); !others.empty())
       page.text("Runners-up:\n" + others);
-    for (const auto& [tighter, asked] : {std::pair{choice.robust, "To keep half of each limit, as a margin"},
-                                         {choice.finer, "Ten times more accurate"}})
+    for (const auto& [tighter, asked] : {std::pair{choice.robust, "With half of each limit, as a margin"},
+                                         {choice.finer, "For a tenth of each limit"}})
       if (!limits.empty())
         page.text("**@:** @", asked,
                   tighter && tighter->knobs == best.knobs && tighter->family == best.family
-                      ? std::string("the answer itself does.")
+                      ? std::string("the same run.")
                   : tighter ? say("@, for @ (×@), from as many starts.", tighter->described(),
                                   cost_in_words(*tighter), Value(tighter->cost / best.cost, 2))
                             : std::string("no method was found to keep that from as many starts for up to a "
                                           "hundred times the cost."));
     page.code("The answer for your own program", code_of(best.family->setting(best.knobs)));
+  } else if (by_clock && (best.family == nullptr || best.cost > wish.budget(*best.family))) {
+    page.text("**No method finishes a frame within @ µs**, so no run could be made. Allow more time.",
+              setting.budget() * 1e6);
   } else {
     page.text("**No method was found that reaches that@**: @.@", by_clock ? " within that time" : "",
               searched_in_words(choice),
               best.outcome == Outcome::good && std::isfinite(choice.best.excess) && !limits.empty()
                   ? say(" The nearest is @ for @, with @ times the error that you allow.", best.described(),
                         cost_in_words(best), Value(choice.best.excess, 2))
-                  : std::string(" No run did its duty to the end."));
+                  : std::string(" No run held to the end."));
   }
   if (const std::string out = passed(choice); !out.empty())
     page.text("Methods that cannot do this scene:\n" + out);
 
   if (choice.reached) {
     const std::string caption =
-        R"(The cheapest run of each method that keeps what was asked for, and runs that come near. Those left of the
-        dotted line keep it.)";
+        limits.empty()
+            ? "The best run of each method within the time allowed."
+            : R"(The cheapest run of each method that keeps what was asked for, and runs that come near. Those
+                         left of the dotted line keep it.)";
     if (by_clock)
       page.clocked("choice", caption, [=, p = problem] { return chart_of(choice, p, limits); });
     else
