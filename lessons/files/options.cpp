@@ -37,8 +37,8 @@ std::string usage(const Lesson& lesson) {
       "  ./lessons/run {0} --quality high    pictures for a talk, in output/{1}/\n",
       lesson.number(), lesson.about().slug);
   if (!lesson.parameters().empty())
-    words += fmt::format("  ./lessons/run {} --set {}={}    with a parameter of your own\n", lesson.number(),
-                         lesson.parameters().front().name,
+    words += fmt::format("  ./lessons/run {} --set {}={}    with your own value instead (this is the default)\n",
+                         lesson.number(), lesson.parameters().front().name,
                          lesson.parameters().front().typed(lesson.parameters().front().initial));
   return words +
          "\nExit status: 0 fine, 1 a claim is false, 2 bad usage or value, 3 the environment (no OpenGL,\n"
