@@ -52,7 +52,7 @@ double difference(const Touch& at, double step) {
 
 struct Dropped {
   double slope = 0;           // of Ċ − JV over the sideways offset [1/s]
-  double straight_above = 0;  // the largest |Ċ − JV| with P₂ straight above or below P₁ [m/s]
+  double straight_above = 0;  // the largest |Ċ − JV| with no sideways offset [m/s]
 };
 
 Dropped dropped_term(const Settings& set, double step) {
@@ -90,18 +90,19 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
             .a2 = course::say("a_2 = r_2 × n = @ m", course::Value(J.a2()(0, 0), 3)),
             .a1_aside = {-0.38 * length, -0.3 * length},
             .a2_aside = length * (narrow ? Point(0.4, 0.3) : Point(0.68, -0.02))});
-  canvas.arrow(p2, p2 + 0.25 * length * n, {palette::ink, 3});
+  canvas.arrow(p1, p1 + 0.25 * length * n, {palette::ink, 3});
   renderer::TextStyle style{.size = 20, .anchor = renderer::Anchor::right, .halo = 3, .offset = {-10, 6}};
-  canvas.text(p2 + 0.25 * length * n, "n", style);
-  canvas.mark(p2, renderer::Mark::disc, palette::error, 10);
+  canvas.text(p1 + 0.25 * length * n, "n", style);
+  for (const Point& p : {p1, p2}) canvas.mark(p, renderer::Mark::disc, palette::error, 8);
   const renderer::TextStyle name{.size = 20, .colour = palette::muted, .halo = 3};
   canvas.text(at.plank.position - 0.6 * length * at.along_plank(), "body 1", name);
   canvas.text(at.box.position + length * Linear<PlaneBody>(0.13, 0.18), "body 2", name);
   const Point along = at.along_plank();
-  canvas.text(0.5 * (at.plank.position + p1) + length * (0.045 * along - 0.035 * n), "r_1", name);
+  canvas.text(0.5 * (at.plank.position + p1) + length * (0.09 * along - 0.03 * n), "r_1", name);
   canvas.text(0.5 * (at.box.position + p2) - 0.05 * length * along, "r_2", name);
-  canvas.text(p2 + length * (0.12 * along - 0.03 * n), "P_1, P_2",
-              {.size = 20, .colour = palette::error, .halo = 3});
+  const renderer::TextStyle point{.size = 20, .colour = palette::error, .halo = 3};
+  canvas.text(p1 + length * (0.04 * n - 0.07 * along), "P_1", point);
+  canvas.text(p2 + length * (0.07 * along - 0.03 * n), "P_2", point);
 }
 
 }  // namespace
@@ -112,13 +113,15 @@ void contact(course::Page& page, const Settings& set) {
   const Jacobian<PlaneBody, 1> J = at.row();
 
   page.text(
-      R"(The same steps, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n and must not overlap. C
-      is the distance of P₂ from body 1 along n, C = (P₂ − P₁)·n, and must not be negative. Differentiate, isolate the
-      velocities, look: n takes the place of d in (14).)");
+      R"(The same steps, another constraint. Two bodies meet at P₁ and P₂; n is the unit normal there. C = (P₂ − P₁)·n is
+      the signed gap along n, and must not be negative. Differentiate, isolate the velocities, read off the
+      coefficients: n takes the place of d in (14). In the figure body 1 is a tilted plank and body 2 a box whose corner
+      has sunk @ cm into it. Their row is:)",
+      course::Value(-100 * at.value(), 3));
   page.equation(15, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
                 vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
   page.excerpt("solver/constraints/contact.hpp", "jacobian");
-  page.figure("contact", "A contact's row on its two bodies; n points from body 1 to body 2.",
+  page.figure("contact", "The contact's row on its two bodies.",
               [=](renderer::Canvas& canvas) { draw_touch(canvas, set); });
 
   Touch turned = at, exchanged = at;
@@ -147,17 +150,14 @@ void contact(course::Page& page, const Settings& set) {
       adds nothing. The turning of the normal matters only if P₂ is offset sideways from P₁; it then adds ω₁ times that offset. Contact points
       are chosen opposite each other, and there the dropped term is zero.)");
   if (std::abs(w1) > 1e-6 * set.speed / length)
-    page.text(
-        "Here the plank turns at @ rad/s: for each millimetre of offset, the true Ċ differs by @ mm/s from (15).",
-        course::Value(w1, 3), course::Value(dropped.slope, 3));
+    page.text("Here the plank turns at @ rad/s: each millimetre of offset changes the true Ċ by @ mm/s.",
+              course::Value(w1, 3), course::Value(dropped.slope, 3));
   else
     page.text("Here the plank does not turn, so (15) leaves out nothing wherever P₂ lies.");
-  page.text(
-      "`./lessons/run desk --task 5` derives (15) with a normal that is held, `--task 6` with an axis that "
-      "turns.");
+  page.text("`./lessons/run desk --task 5` derives (15) with a fixed normal, `--task 6` with a turning axis.");
 
   const double C = -0.02 * length;
-  page.claim("C of the overlapping box", at.value(), "m",
+  page.claim("C of the box and the plank", at.value(), "m",
              is(C, "the overlap, negative", course::absolute(1e-14 * length)));
   page.claim("exchange the bodies and reverse n: change of the row, relative", flipped, "1",
              is(0, "C is the same", course::absolute(1e-14)));
@@ -167,9 +167,9 @@ void contact(course::Page& page, const Settings& set) {
   const double turn = (2 * std::abs(set.spin()) + set.speed / length) * step;
   const double speeds = set.speed + length * std::abs(set.spin());
   const double tolerance = 4 * speeds * turn * turn + 1e-14 * length / step;
-  page.claim("what (15) drops, P₂ straight above or below P₁", dropped.straight_above, "m/s",
+  page.claim("what (15) drops, no sideways offset", dropped.straight_above, "m/s",
              is(tolerance, "ṅ is perpendicular to n; the differences' own error", course::at_most()));
-  page.claim("what (15) drops, per metre beside", dropped.slope, "(m/s)/m",
+  page.claim("what (15) drops, per metre of sideways offset", dropped.slope, "(m/s)/m",
              is(-w1, "(P₂ − P₁)·ṅ with ṅ = ω₁ × n", course::absolute(20 * tolerance / length)));
 }
 

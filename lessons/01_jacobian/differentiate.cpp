@@ -18,7 +18,7 @@ struct Rates {
 };
 
 Rates rates(const Pair& start, double time, double step) {
-  renderer::Curve value{.label = "C", .colour = palette::error};
+  renderer::Curve value{.label = "", .colour = palette::error};
   renderer::Curve formula{.label = "by (10)", .colour = palette::constraint};
   renderer::Curve differences{
       .label = "differences of C", .style = renderer::CurveStyle::markers, .colour = palette::error};
@@ -61,12 +61,12 @@ void differentiate(course::Page& page, const Settings& set) {
   page.equation(9);
   page.text(R"(The product is a dot product. First a bob, which does not turn.)");
   const Linear<PlaneParticle> place = length * Linear<PlaneParticle>(0.6, -0.8), moving(speed, 0);
-  const double bob = rate_of_bob(place, moving, length), angle = 53;  // cos 53.13° = 0.6
+  const double bob = rate_of_bob(place, moving, length);
   page.predict(
       {.ask = course::say(
-           R"(The bob is @ m from its fixed anchor and moves at @ m/s, @° from the direction of P₂ − P₁.
+           R"(The bob is @ m from the fixed point and moves at @ m/s; the cosine of its angle to P₂ − P₁ is 0.6.
                          How large is Ċ of (9)?)",
-           length, speed, angle),
+           length, speed),
        .answer = bob,
        .unit = "m²/s",
        .tolerance = 0.02 * length * speed,
@@ -76,8 +76,7 @@ void differentiate(course::Page& page, const Settings& set) {
                  {length * speed, "That takes all of v₂; the part across P₂ − P₁ only turns the rod."}},
        .hints = {"Which part of the bob's velocity makes the rod longer?",
                  "(9) with Ṗ₁ = 0: a dot product is both lengths times the cosine of the angle between them.",
-                 course::say("@ · @ · cos @° = …", length, speed, angle)},
-       .hinted = length * speed * std::cos(angle * std::numbers::pi / 180),
+                 course::say("@ · @ · 0.6 = …", length, speed)},
        .right = "Only the component along P₂ − P₁ counts. And P₂ − P₁ is the l₂ that step 2 measured."});
   page.text(
       R"(An anchor point on a turning body moves for two reasons: the centre of its body moves, and the arm r from
@@ -96,8 +95,8 @@ void differentiate(course::Page& page, const Settings& set) {
   const Linear<PlaneBody> sides = box_sides(set);
   const double per_speed = 0.3 * length / fastest(set), stretch = set.stretch;
   page.sequence("motion",
-                course::say("Two boxes in @ s of flight, @. The dots are differences of C, the curve is (10).",
-                            course::Value(time, 3), time < seconds ? "slowed down" : "sped up"),
+                course::say("Two boxes in @ s of flight, @.", course::Value(time, 3),
+                            time < seconds ? "slowed down" : "sped up"),
                 course::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
                   const auto [left, right] = canvas.page().inset(16).panels(0.56, 24, 0.36);
                   const auto [upper, lower] = right.split_rows(0.5, 16);
@@ -116,8 +115,9 @@ void differentiate(course::Page& page, const Settings& set) {
                 });
 
   page.text(
-      R"(Curve and dots differ by at most @ m²/s; a centred difference with this step may be wrong by up to @ m²/s.)",
-      course::small_error(all.largest_difference), course::Value(std::max(all.tolerance, 1e-11), 2));
+      R"(Curve and dots differ by @@ m²/s; a centred difference with this step may be wrong by up to @ m²/s.)",
+      all.largest_difference < 1e-11 ? "" : "at most ", course::small_error(all.largest_difference),
+      course::Value(std::max(all.tolerance, 1e-11), 2));
 
   page.claim("Ċ of the bob", bob, "m²/s", is(0.6 * length * speed, "d·v by hand", course::relative(1e-14)));
   page.claim("largest difference between (10) and differences of C", all.largest_difference, "m²/s",

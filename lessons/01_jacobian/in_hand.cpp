@@ -80,7 +80,7 @@ class BobInHand final : public course::Held {
   std::string words(std::optional<double>) const override {
     const double off = course::without_rounding(row().l2().norm() - length_, length_);
     const std::string rod = off == 0 ? "the bob is on the circle"
-                                     : course::say("the bob is @ m too @ the anchor", Value(std::abs(off), 3),
+                                     : course::say("the bob is @ m too @ the fixed point", Value(std::abs(off), 3),
                                                    off > 0 ? "far from" : "close to");
     const char* way = rate() == 0 ? "C does not change" : rate() > 0 ? "C grows" : "C falls";
     return course::say("C = @ m²: @. Ċ = JV = @ m²/s: @.", Value(value(), 3), rod, Value(rate(), 3), way);
@@ -127,7 +127,7 @@ course::Hold in_hand(const Settings& set) {
   return {
       "bob_in_hand",
       R"(Drag the bob. C is one number: 0 on the dashed circle, whose radius is the length of the rod, positive outside
-          it and negative inside. J points where C grows, and JV says how fast. It starts at the rod's length plus the stretch.)",
+          it and negative inside. J points in the direction of increasing C, and JV says how fast. It starts at the rod's length plus the stretch.)",
       [set] { return std::make_unique<BobInHand>(set.length, set.stretch, set.mass); }};
 }
 

@@ -7,7 +7,8 @@ namespace {
 using Entries = Eigen::Matrix<double, 1, 6>;
 
 constexpr int entries = 6;
-const std::array<const char*, entries> names = {"l₁ x", "l₁ y", "a₁", "l₂ x", "l₂ y", "a₂"};
+const std::array<const char*, entries> names = {"l₁ x", "l₁ y", "a₁", "l₂ x", "l₂ y", "a₂"},
+                                       moved = {"v₁ x", "v₁ y", "ω₁", "v₂ x", "v₂ y", "ω₂"};
 
 /// The pair moving in one of its six ways alone, at 1 m/s or 1 rad/s.
 Pair moving_in(Pair pair, int way) {
@@ -48,9 +49,10 @@ Entries exchanged(const Entries& row) {
 
 renderer::Chart bars(const Entries& row, int shown) {
   renderer::Bars all{.label = "", .colour = palette::constraint};
-  renderer::Chart chart{.x = {.label = "moved by 1 m/s or 1 rad/s"}, .y = {.label = "Ċ = entry of J (m, m²)"}};
+  renderer::Chart chart{.x = {.label = "component of V that is 1 (m/s or rad/s)"},
+                        .y = {.label = "Ċ = entry of J (m, m²)"}};
   for (int i = 0; i < entries; ++i) {
-    chart.bar_names.emplace_back(names[static_cast<std::size_t>(i)]);
+    chart.bar_names.emplace_back(moved[static_cast<std::size_t>(i)]);
     all.values.push_back(i < shown ? row[i] : std::nan(""));
   }
   chart.bars = {all};
@@ -106,9 +108,8 @@ void draw_field(renderer::Canvas& canvas, double length) {
       bob.position = radius * length * Point(std::cos(at), std::sin(at));
       const double C = rod.value<double>(anchor, bob)[0];
       canvas.vector(bob.position, rod.jacobian(anchor, bob).l2().transpose(), kind);
-      const renderer::Colour inside = radius == 1.0 ? palette::body
-                                      : C > 0       ? palette::diverging(0.7)
-                                                    : palette::paper;  // blue is for J
+      const double sign = radius == 1.0 ? 0 : std::copysign(0.7, C);
+      const renderer::Colour inside = palette::diverging(sign);  // the landscape's colours
       canvas.disc(bob.position, 7 / canvas.camera().scale, {inside, {palette::ink, 1.2}});
     }
   canvas.anchor({0, 0});
@@ -117,9 +118,9 @@ void draw_field(renderer::Canvas& canvas, double length) {
   const renderer::TextStyle style{.size = 19, .anchor = renderer::Anchor::left};
   canvas.mark({40, 640}, renderer::Mark::disc, palette::diverging(0.7), 13);
   canvas.text({56, 640}, "too long, C > 0", style);
-  canvas.mark({40, 604}, renderer::Mark::disc, palette::body, 13);
+  canvas.disc({40, 604}, 6.5, {palette::diverging(0), {palette::ink, 1.2}});
   canvas.text({56, 604}, "on the circle, C = 0", style);
-  canvas.disc({40, 568}, 6.5, {palette::paper, {palette::ink, 1.2}});
+  canvas.mark({40, 568}, renderer::Mark::disc, palette::diverging(-0.7), 13);
   canvas.text({56, 568}, "too short, C < 0", style);
   canvas.look(field);
   canvas.arrow_key({40, 520}, kind, "l_2 = d,");
@@ -167,20 +168,23 @@ void inspection(course::Page& page, const Settings& set) {
   Pose<PlaneParticle> anchor, bob;
   bob.position = 0.95 * length * Linear<PlaneParticle>(0.6, -0.8);
   const double C = rod.value<double>(anchor, bob)[0], out = rod.jacobian(anchor, bob).l2().dot(bob.position);
-  const char *towards = "J is the gradient of C, so it points where C grows; nearer to the anchor C is smaller.",
-             *away = R"(J is the gradient of C. Farther from the anchor C is larger, whether the rod is too long or
+  const char
+      *towards =
+          "J is the gradient of C, so it points in the direction of increasing C; towards the fixed point C "
+          "decreases.",
+      *away = R"(J is the gradient of C. Farther from the fixed point C is larger, whether the rod is too long or
                      too short; λ decides whether to push or pull.)";
   page.choose(
       {.ask = course::say(
-           R"(A rod from an anchor to a bob is too *short*: C = @ m². Draw l₂ as an arrow at the bob. Does it
-                                 point to the anchor or away from it?)",
+           R"(A rod from a fixed point to a bob is too *short*: C = @ m². Draw l₂ as an arrow at the bob. Which way
+                                 does it point?)",
            C),
-       .options = {{"to the anchor", towards},
-                   {"away from the anchor", away},
+       .options = {{"towards the fixed point", towards},
+                   {"away from the fixed point", away},
                    {"that depends on the sign of C", "(14) contains neither C nor L, only d."}},
        .answer = out < 0 ? 0 : 1,
        .hints = {"Which way must the bob move for C to grow?", "(14): l₂ = d = P₂ − P₁.",
-                 "P₁ is the anchor and P₂ the bob: d leads from P₁ to P₂."}});
+                 "P₁ is the fixed point and P₂ the bob: d leads from P₁ to P₂."}});
   four_parts(page, set);
   page.text("The solver writes this row, and later the rows of contacts and friction, with u in place of d:");
   page.excerpt("solver/jacobian.hpp", "along");
@@ -214,7 +218,8 @@ void inspection(course::Page& page, const Settings& set) {
                          "l:");
       });
 
-  page.figure("field", "J's arrow on the bob points where C grows: outwards, even where the rod is too short.",
+  page.figure("field",
+              "J's arrow on the bob points the way C increases: outwards, even where the rod is too short.",
               [=](renderer::Canvas& canvas) { draw_field(canvas, length); });
   page.text(
       R"(Move both bodies by a small ε along their l, without turning them, and C grows by 2|d|ε. J does not say whether C has to grow or to shrink:

@@ -25,7 +25,7 @@ Eigen::MatrixXd whole(const Scene<PlaneBody>& scene) {
 }
 
 /// A pin's row takes one component of v and, with it, one ω of each of its two links: 2 · 2 entries that are not
-/// zero for the first pin, which has one link, and 2 · 4 for each other.
+/// zero for the first pin, which has one link, and 2 · 4 for every further one.
 double share_of_zeros(int links) { return 1 - (8.0 * links - 4) / (2.0 * links * 3 * links); }
 
 renderer::Chart picture_of(const Eigen::MatrixXd& J) {
@@ -72,7 +72,7 @@ constexpr int stored = decltype(Jacobian<Model, 1>::matrix)::ColsAtCompileTime;
 void linkage(course::Page& page, const Settings& set) {
   page.text(
       R"(How many numbers are in a row? An l and an a for each of two bodies. In the plane a body turns in one way only,
-      so a is *one* number and a row has (2 + 1)·2 = @. In space it has (3 + 3)·2 = @. A bob that does not turn needs @
+      so a is *one* number and a row has (2 + 1)·2 = @. In space it has (3 + 3)·2 = @. A row between two particles needs @
       in the plane and @ in space. The solver stores no more than that, and (8) reads:)",
       stored<PlaneBody>, stored<SpaceBody>, stored<PlaneParticle>, stored<SpaceParticle>);
   page.excerpt("solver/jacobian.hpp", "8");
@@ -118,7 +118,7 @@ void linkage(course::Page& page, const Settings& set) {
   claim_numbers("bodies in the plane", 2 * (2 + 1), stored<PlaneBody>);
   claim_numbers("bodies in space", 2 * (3 + 3), stored<SpaceBody>);
   page.claim("share of zeros in J of the chain", zeros, "1",
-             is(share_of_zeros(links), "counted by pins: 4 entries for the first, 8 for each other",
+             is(share_of_zeros(links), "counted by pins: 4 entries for the first, 8 for every further one",
                 course::absolute(1e-12)));
   page.claim("JV by (8) against the whole matrix, largest difference", difference, "m/s",
              is(1e-14 * (1 + set.length), "zeros add nothing", course::at_most()));

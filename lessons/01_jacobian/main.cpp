@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
            {"C is one number, zero where the constraint is met; for the article's rod it is in square metres.",
             "Ċ = JV: a rate is linear in the velocities. J is the row of its coefficients: l₁, a₁, l₂, a₂.",
             "To find J: differentiate C, take ω out of the cross product, read the coefficients off.",
-            "J points where C grows, whatever the sign of C. λJᵀ pushes the bodies along it.",
+            "J points in the direction of increasing C, whatever the sign of C. λJᵀ pushes the bodies along it.",
             "|ΔC − h·JV| falls like h²; with a wrong sign in an entry that the motion uses it falls only like h.",
             "A contact's normal points from body 1 to body 2; if you exchange the bodies, reverse it."},
        .tries = {{"A rod that is too short: watch the sign of C, and where J points.",

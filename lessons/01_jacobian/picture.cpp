@@ -12,18 +12,23 @@ void draw(Canvas& canvas, const Pair& pair, const Linear<PlaneBody>& sides, bool
   canvas.box(c2, sides, angle(pair.pose2.rotation));
   canvas.rod(p1, p2);
   for (const auto& [centre, tip] : {std::pair{c1, p1}, std::pair{c2, p2}}) {
-    canvas.line(centre, tip, {palette::muted, 1.8, renderer::Dash::dashed});
+    const Point head = tip - 9 / canvas.camera().scale * (tip - centre).normalized();  // beside the hinge's disc
+    canvas.arrow(centre, head, {palette::muted, 1.8, renderer::Dash::dashed});
     canvas.mark(centre, renderer::Mark::cross, palette::muted, 8);
     canvas.hinge(tip);
   }
   if (!named) return;
   const renderer::TextStyle style{.size = 20, .halo = 3};
   renderer::Labels labels(canvas, canvas.camera().frame);
-  for (const auto& [from, to] : {std::pair{c1, p1}, std::pair{c2, p2}, std::pair{p1, p2}})
+  const Point along = (p2 - p1).normalized(), aside = 16 / canvas.camera().scale * Point(along.y(), -along.x()),
+              inset = 0.12 * (p2 - p1);
+  const std::pair<Point, Point> d{p1 + aside + inset, p2 + aside - inset};  // beside the rod
+  canvas.arrow(d.first, d.second, {palette::ink, 1.8});
+  for (const auto& [from, to] : {std::pair{c1, p1}, std::pair{c2, p2}, std::pair{p1, p2}, d})
     labels.avoid_path(std::vector<Point>{from, to});
   labels.place((c1 + p1) / 2, "r_1", style);
   labels.place((c2 + p2) / 2, "r_2", style);
-  labels.place((p1 + p2) / 2, "d", style);
+  labels.place((d.first + d.second) / 2, "d", style);
   labels.place(p1, "P_1", style, 14);
   labels.place(p2, "P_2", style, 14);
 }

@@ -34,9 +34,10 @@ void slopes(course::Page& page, const Settings& set) {
   const double at_h = left_over(bob, bob.row(), h), at_half = left_over(bob, bob.row(), h / 2);
   const double factor = at_h / at_half, exact = 0.5 * set.speed * set.speed * h * h;
   page.predict(
-      {.ask = course::say(R"(A bob flies past its anchor at @ m/s. You halve the step h. By what factor does |ΔC −
+      {.ask = course::say(
+           R"(A bob flies past the fixed point at @ m/s. You halve the step h. By what factor does |ΔC −
                          h·JV| shrink?)",
-                          set.speed),
+           set.speed),
        .answer = factor,
        .unit = "1",
        .tolerance = 0.2,
@@ -91,7 +92,7 @@ void slopes(course::Page& page, const Settings& set) {
 
   const bool second_order = share < 0.2, first_order_seen = spoilt_share < 0.2;
   const std::string of_right = second_order ? "slope 2 for the right row"
-                                            : "no slope for the right row over all of these steps",
+                                            : "no single slope for the right row over this range of h",
                     of_spoilt = first_order == 0 ? "and the same for the spoilt row, as ω₂ = 0"
                                 : first_order_seen
                                     ? "slope 1 for the row with one wrong sign"

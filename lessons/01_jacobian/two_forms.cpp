@@ -130,8 +130,8 @@ void two_forms(course::Page& page, const Settings& set) {
       set.beta < 1 && diverges <= 16
           ? course::say("At β = @ the mixed rod overshoots from about L = @ m on and diverges from about @ m on.",
                         set.beta, 1 / set.beta, diverges)
-          : course::say("The dashed line passes 2, where the mixed rod diverges, at L = 2/β, here @ m.",
-                        diverges));
+          : course::say("The line β·L reaches 2, where the mixed rod diverges, at L = 2/β: here @ m@.", diverges,
+                        diverges > 16 ? ", beyond the figure" : ""));
 
   const auto own = stretches<Distance>(10, set.mass, 0.2, set.h, 20),
              mixed = stretches<Mixed>(12, set.mass, 0.2, set.h, 5);

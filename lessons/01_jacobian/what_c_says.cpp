@@ -33,7 +33,7 @@ Point nudged(double time, double length) {
 constexpr double duration = 4;  // of the sequence [s]
 
 renderer::Chart value_over_time(double length, double mass) {
-  renderer::Curve curve{.label = "C", .colour = renderer::palette::error};
+  renderer::Curve curve{.label = "", .colour = renderer::palette::error};
   for (int i = 0; i <= 200; ++i) {
     curve.x.push_back(duration * i / 200);
     curve.y.push_back(value_at(nudged(curve.x.back(), length), length, mass));
@@ -71,7 +71,7 @@ renderer::Chart landscape(double length, double mass) {
           .y = {.label = "y of the bob (m)"},
           .curves = {circle, slope},
           .heat_map = map,
-          .annotations = {{0, 0, "anchor"}, {bob.x(), bob.y(), "bob"}}};
+          .annotations = {{0, 0, "fixed point"}, {bob.x(), bob.y(), "bob"}}};
 }
 
 /// C along the rod's line, and its slope at the rod's length.
@@ -87,7 +87,7 @@ renderer::Chart cut(double length, double mass) {
     slope.x.push_back(far);
     slope.y.push_back(length * (far - length));
   }
-  return {.x = {.label = "distance from the anchor (m)"},
+  return {.x = {.label = "distance from the fixed point (m)"},
           .y = {.label = "C (m²)"},
           .curves = {bowl, slope},
           .annotations = {{length, 0, "bob"}},
@@ -105,8 +105,7 @@ void what_c_says(course::Page& page, const Settings& set) {
       R"(This course follows one article: R. Gaul, *Modelling and Solving Physical Constraints* (2013). Its equations
       keep their numbers here, (1) to (23). Each is derived, computed by the course's solver and checked; this lesson
       has (1) to (16) and (23). The article's running example is a rod between two bodies:)");
-  page.figure("rod",
-              "Two bodies and a rod. P₁ and P₂ are its ends, r₁ and r₂ lead there from the centres of mass.",
+  page.figure("rod", "P₁ and P₂ are the rod's ends; r₁ and r₂ lead there from the centres of mass.",
               [pair = pair_of(set), sides = box_sides(set), length, stretch](renderer::Canvas& canvas) {
                 canvas.look(renderer::fit({-0.5 * length, -0.5 * length, 2.8 * length + stretch, 1.3 * length},
                                           canvas.page(0.6).inset(12), 8));
@@ -114,7 +113,7 @@ void what_c_says(course::Page& page, const Settings& set) {
               });
   page.table({"symbol", "meaning", "unit"},
              {{"P₁, P₂", "anchor points: where the constraint holds body 1 and body 2", "m"},
-              {"d", "P₂ − P₁, from one anchor point to the other", "m"},
+              {"d", "P₂ − P₁, the vector from P₁ to P₂", "m"},
               {"r₁, r₂", "arms, from a body's centre of mass to its anchor point", "m"},
               {"L", "length that the rod should have", "m"},
               {"v, ω", "velocity of a centre of mass, angular velocity of a body", "m/s, rad/s"},
@@ -130,14 +129,14 @@ void what_c_says(course::Page& page, const Settings& set) {
   page.equation(1);
   page.text(R"(For the rod the article compares squared lengths, so that there is no root to differentiate:)");
   page.equation(2);
-  page.text("The solver says the same in one line; `at.separation` is P₂ − P₁.");
+  page.text("In the solver (`at.separation` is P₂ − P₁):");
   page.excerpt("solver/constraints/distance.hpp", "value");
 
   const double first_order = length * stretch;
   page.predict(
       {.ask =
            course::say(R"(Take the simplest case: body 1 is fixed, body 2 is a small bob. The rod is @ m long and
-                         the bob is @ m from the anchor. How large is C of (2)?)",
+                         the bob is @ m from the fixed point. How large is C of (2)?)",
                        length, far),
        .answer = C,
        .unit = "m²",
@@ -157,27 +156,27 @@ void what_c_says(course::Page& page, const Settings& set) {
   page.text(
       R"(In the film a hand moves the bob: out and back, along the circle, and in. Watch C. It changes along the rod, and its
       sign tells too long from too short. It does not change along the circle, where the rod leaves the bob free.)");
-  page.sequence(
-      "nudge", "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
-      course::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
-        const auto [left, right] = canvas.page().inset(16).panels(0.5);
-        const renderer::Chart whole = value_over_time(length, mass);
-        canvas.look(renderer::fit({-0.95 * length, -1.4 * length, 2.05 * length, 1.6 * length}, left));
-        std::vector<Point> circle;
-        for (int i = 0; i <= 60; ++i)
-          circle.push_back(length * from_straight_down<PlaneParticle>(-0.9 + 2.6 * i / 60));
-        canvas.path(circle, {renderer::palette::theory, 1.6, renderer::Dash::dashed});
-        const Point at = nudged(time, length);
-        pictures::draw(canvas, pictures::rods_and_bobs(bob_at(at, length, mass)));
-        const double now = value_at(at, length, mass);
-        canvas.look_at_page();
-        canvas.text({left.x + 8, left.top() - 8},
-                    course::say("C = @ m²", course::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
-                    {.size = 26, .colour = renderer::palette::error, .anchor = renderer::Anchor::top_left});
-        renderer::draw(canvas, pictures::grown_to(whole, time), right);
-      });
+  page.sequence("nudge", "C is positive outside the circle, negative inside, zero on it.",
+                course::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
+                  const auto [left, right] = canvas.page().inset(16).panels(0.5);
+                  const renderer::Chart whole = value_over_time(length, mass);
+                  canvas.look(renderer::fit({-0.95 * length, -1.4 * length, 2.05 * length, 1.6 * length}, left));
+                  std::vector<Point> circle;
+                  for (int i = 0; i <= 60; ++i)
+                    circle.push_back(length * from_straight_down<PlaneParticle>(-0.9 + 2.6 * i / 60));
+                  canvas.path(circle, {renderer::palette::theory, 1.6, renderer::Dash::dashed});
+                  const Point at = nudged(time, length);
+                  pictures::draw(canvas, pictures::rods_and_bobs(bob_at(at, length, mass)));
+                  const double now = value_at(at, length, mass);
+                  canvas.look_at_page();
+                  canvas.text(
+                      {left.x + 8, left.top() - 8},
+                      course::say("C = @ m²", course::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
+                      {.size = 26, .colour = renderer::palette::error, .anchor = renderer::Anchor::top_left});
+                  renderer::draw(canvas, pictures::grown_to(whole, time), right);
+                });
   page.text(
-      R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl whose bottom, at the anchor, is at C = −½L²;
+      R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl whose bottom, at the fixed point, is at C = −½L²;
       the rod keeps the bob on one contour of it, C = 0. This lesson is about the slope of the bowl under the bob.)");
   page.figure(
       "landscape",
@@ -195,7 +194,7 @@ void what_c_says(course::Page& page, const Settings& set) {
   const double exact = 1e-14 * length * length;
   page.claim("C of the stretched rod", C, "m²",
              is(stretch * (length + stretch / 2), "L s + ½ s² for a stretch s", course::absolute(exact)));
-  page.claim("C at the anchor", value_at({0, 0}, length, mass), "m²",
+  page.claim("C at the fixed point", value_at({0, 0}, length, mass), "m²",
              is(-length * length / 2, "−½ L²", course::absolute(exact)));
   page.claim("largest |C| along the circle", along, "m²", is(exact, "rounding of L²", course::at_most()));
 }
