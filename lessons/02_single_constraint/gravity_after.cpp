@@ -30,9 +30,9 @@ void gravity_after(const Setting& setting, Page& page) {
   const Sunk right = sinking(setting, Gravity::before_the_solve, second),
              wrong = sinking(setting, Gravity::after_the_solve, second);
   page.text(
-      R"(The article does not say when gravity enters. Let a bob hang at rest and swap the two lines: solve first, then
+      R"(The article does not say when gravity enters. Let a bob hang at rest and change the order of the step: solve first, then
       add gravity, then move. In the first step JV = 0, so λ = 0; then gravity makes the bob fall at gh, and it moves.
-      The next solve stops it, but gravity comes after the solve again. So the bob moves down at gh in every step.)");
+      The next solve stops it, but gravity comes after the solve again.)");
   page.text(
       R"(With gravity before λ it hangs; with gravity after λ it sinks at gh = @ m/s: @ m in @ s. (17) is right both
       times, but here the V that it is given lacks the gravity of its step.)",

@@ -7,7 +7,7 @@ namespace {
 std::string held(double degrees) {
   if (degrees == 0) return "straight below the fixed point";
   if (std::abs(degrees) == 180) return "straight above the fixed point";
-  return say("at @° from the vertical", degrees);
+  return say("at @° from straight down", degrees);
 }
 
 }  // namespace
@@ -27,8 +27,7 @@ void gravity_first(const Setting& setting, Page& page) {
   page.text(
       R"(Gravity goes into V *before* anything is solved, because the constraint can only cancel what is already in V.
 
-      How fast would C change with this V? At Ċ = JV (lesson 1); divided by |d| that is how fast the rod would change its
-      length. Body 1 is the fixed point,
+      How fast would C change with this V? At the rate Ċ = JV (lesson 1); JV/|d| is how fast the rod would change its length. Body 1 is the fixed point,
       body 2 the bob. Neither turns, so two parts of the row (14) remain, l₁ = −d and l₂ = d with d = P₂ − P₁ = @ m.
       The fixed point has v₁ = 0.)",
       row.d);

@@ -11,11 +11,15 @@ void lambda(const Setting& setting, Page& page) {
   const bool pulls = row.lambda < 0;
 
   page.text(
-      R"(The rod answers with an impulse λJᵀ: λd on the bob and −λd on the fixed point. How large is λ, and which
+      R"(The rod reacts with an impulse λJᵀ: λd on the bob and −λd on the fixed point. How large is λ, and which
       way does it point?)");
   if (along != 0) {
-    const std::string pull = "The rod pulls: it keeps itself from getting longer.",
-                      push = "The rod pushes: it keeps itself from getting shorter.";
+    const std::string pull = pulls ? "The rod pulls: it keeps itself from getting longer."
+                                   : "That rod would pull. JV is negative: without the rod the distance would "
+                                     "shrink, so it has to push.",
+                      push = pulls ? "That rod would push. JV is positive: without the rod the distance would "
+                                     "grow, so it has to pull."
+                                   : "The rod pushes: it keeps itself from getting shorter.";
     page.choose({.ask = say("In the first step JV is @. Which way does λd act on the bob, and which sign has λ?",
                             pulls ? "positive" : "negative"),
                  .options = {{"against d, to the fixed point, with λ < 0", pull},
@@ -49,7 +53,7 @@ void lambda(const Setting& setting, Page& page) {
          .wrong = {{pulls ? -full : full, "That cancels all of gravity; the rod only cancels the part along d."},
                    {-along, "Look again at the minus in (17) and at the sign of JV."},
                    {row.lambda,
-                    say("As a number that is λ, in N·s/m; times |d| = @ m it is the impulse.", length)}},
+                    say("That is λ itself, in N·s/m. Multiply it by |d| = @ m to get the impulse.", length)}},
          .hints = {"Only the part of gravity along the rod is cancelled. Which angle does the rod make with it?",
                    "(17) times |d|: λ|d| = −(JV/|d|)·m, and JV/|d| is the speed along d.",
                    say("−@ · (@ · @ · cos @°) = …", setting.mass(), gravity(), setting.h, setting.angle())},
@@ -62,7 +66,7 @@ void lambda(const Setting& setting, Page& page) {
                row.JV, row.K, row.lambda, along);
   BobPicture row_picture(scene), push(scene);
   const double unit = 0.5 * length;
-  row_picture.title = "J: where C grows";
+  row_picture.title = "J: how C increases";
   row_picture.arrows = {{row_picture.second, unit * row.d / length, palette::constraint, "l₂ = d"},
                         {row_picture.first, -unit * row.d / length, palette::constraint, "l₁ = −d"}};
   push.title = say("λJᵀ: λ·|d| = @ N·s", along);
@@ -74,14 +78,14 @@ void lambda(const Setting& setting, Page& page) {
   const Quantity impulse("λ|d|", along, "N·s");
   page.figure(
       "lambda_sign",
-      say(R"(Left: the row's two arrows, −d and d (drawn shorter than they are), point where C grows. Right: the
-                  impulses λJᵀ on the bob and on the fixed point; the fixed point does not move. @)",
+      say(R"(Left: the row's arrows, −d and d (drawn shorter), point the way C increases. @@)",
+          along != 0 ? "Right: the impulses λJᵀ on the bob and on the fixed point, which does not move. " : "",
           page.verdict({{.when = impulse<0, .say = "λ is negative: the arrows are reversed, and the rod pulls.",
                                          .law = Quantity("JV", row.JV, "m²/s")> 0},
                         {.when = impulse > 0,
                          .say = "λ is positive: the arrows keep the direction of J, and the rod pushes.",
                          .law = Quantity("JV", row.JV, "m²/s") < 0},
-                        {.when = impulse == 0, .say = "λ is zero: there are none."}})),
+                        {.when = impulse == 0, .say = "Right: λ is zero, so there is no impulse."}})),
       [row_picture, push](Canvas& canvas) {
         draw(canvas, {row_picture, push});
       });

@@ -41,20 +41,27 @@ void least_change(const Setting& setting, Page& page) {
                    {"multiply out", "T(λ) = T(0) + λJV + ½λ²JM⁻¹Jᵀ",
                     R"(T(\lambda) = T(0) + \lambda JV + \tfrac12\lambda^2 JM^{-1}J^T)"},
                    {"dT/dλ = 0", "λ = −JV/(JM⁻¹Jᵀ)", R"(\lambda = -JV/(JM^{-1}J^T))"}});
-  Curve parabola{.label = "kinetic energy", .colour = palette::series(5)};
+  Curve parabola{.label = "", .colour = palette::series(5)};
   for (int i = 0; i <= 80; ++i) {
     parabola.x.push_back(unit * (-2 + 3.0 * i / 80));
     parabola.y.push_back(energy(parabola.x.back()));
   }
-  page.figure("parabola",
-              say("Kinetic energy after an impulse λ along the row. The dot is λ of (17), @ N·s/m.",
-                  shown_row(setting).lambda),
-              Chart{.x = {.label = "λ (N·s/m)"},
-                    .y = {.label = "kinetic energy (J)"},
-                    .curves = {parabola},
-                    .annotations = {{shown_row(setting).lambda,
-                                     course::without_rounding(energy(row.lambda), energy(unit) + energy(-unit)),
-                                     "λ of (17)"}}});
+  const double rate = shown_row(setting).JV, rest = energy(0);
+  const Curve tangent{.label = "slope JV",
+                      .x = {-0.5 * unit, 0.5 * unit},
+                      .y = {rest - 0.5 * unit * rate, rest + 0.5 * unit * rate},
+                      .colour = palette::constraint};
+  std::vector<renderer::Annotation> dots{
+      {shown_row(setting).lambda, course::without_rounding(energy(row.lambda), energy(unit) + energy(-unit)),
+       "λ of (17)"}};
+  if (rate != 0) dots.push_back({0, rest, "no impulse"});
+  page.figure(
+      "parabola",
+      say("Kinetic energy after an impulse λ along the row. λ of (17) is @ N·s/m.", shown_row(setting).lambda),
+      Chart{.x = {.label = "λ (N·s/m)"},
+            .y = {.label = "kinetic energy (J)"},
+            .curves = {parabola, tangent},
+            .annotations = dots});
   const double left = energy(-unit), middle = energy(0), right = energy(unit);
   // Along the rod alone, two free bobs are two numbers u1, u2, and JV = 0 says that they are equal.
   page.claim("λ that minimises the kinetic energy", unit * (left - right) / (2 * (left - 2 * middle + right)),
@@ -85,8 +92,7 @@ void least_change(const Setting& setting, Page& page) {
   page.figure(
       "least_change",
       R"(u₁, u₂: the bobs' velocities along the rod. On the line JV = 0; on each ellipse ½ΔV·MΔV is constant. The smallest ellipse that
-      reaches the line touches it at the solver's answer: the smallest change of V, and the only one that keeps the
-      momentum.)",
+      reaches the line touches it at the solver's answer, the only one that keeps the momentum.)",
       Chart{.x = {.label = "u₁ (m/s)", .range = std::pair{-0.55 * speed, 2.25 * speed}},
             .y = {.label = "u₂ (m/s)", .range = std::pair{-0.6 * speed, 1.15 * speed}},
             .curves = {rule, equal_cost(before, solved, m1, m2), equal_cost(before, only1, m1, m2)},

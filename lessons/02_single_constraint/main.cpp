@@ -38,8 +38,9 @@ int main(int argc, char** argv) {
       {.now_you_know =
            {"Gravity goes into V first; JV then says how fast C would change.",
             "JM⁻¹Jᵀ is the inverse effective mass: a few products, no matrix.",
-            "λ|d| is an impulse, negative where the rod pulls; −λ|d|/h is the tension, whatever h is.",
-            "After (20) JV = 0 to rounding, and no other impulse would get there with a smaller change of V.",
+            "λ|d| is an impulse, negative where the rod pulls; −λ|d|/h is the "
+            "tension: the same for every h at release, with an error of order h in the swing.",
+            "After (20) JV = 0 to rounding; of all changes of V that get there, this has the least ½ΔV·MΔV (7a).",
             "JV = 0 keeps the rate zero, not the length: C grows by ½h²v² a step, and with b = 0 energy never "
             "rises."},
        .tries = {{"Let go above the fixed point: does the rod pull or push, and what sign has λ?",

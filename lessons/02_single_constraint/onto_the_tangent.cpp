@@ -40,10 +40,8 @@ void onto_the_tangent(const Setting& setting, Page& page) {
                                : "V lies along d; the impulse takes all of it away.",
               [picture](Canvas& canvas) { draw(canvas, {picture}); });
 
-  page.text(
-      R"(JV is now zero to rounding. One formula solves one row *exactly*; nothing is iterated. What is
-      left of V is perpendicular to the impulse: λd·V = λJV = 0. (What was taken away had kinetic energy; step 7 asks
-      where it went.))");
+  page.text(R"(JV is now zero to rounding. One formula solves one row *exactly*; nothing is iterated. @)",
+            cancels && moves ? "What is left of V is perpendicular to the impulse: λd·V = λJV = 0." : "");
 
   within_a_step(setting, page);
 
@@ -55,7 +53,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   const Vector before_momentum = linear_momentum(pair.bodies()), after_momentum = linear_momentum(freed.bodies());
   BobPicture blow(pair), answer(freed);
   const double per_speed = 1.1 * length / arrival;
-  blow.title = "the first bob is hit, the rod answers";
+  blow.title = "the first bob is struck, the rod reacts";
   const Vector answered = per_speed * hit.lambda * hit.d / setting.mass();
   blow.arrows = {{blow.first, -answered, palette::force, "−λd"},
                  {blow.second, answered, palette::force, "λd"},
@@ -82,7 +80,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
       course::without_rounding(after_momentum));
   page.figure(
       "momentum_kept",
-      R"(Two free bobs, the second four times as heavy. Orange: the two impulses of the rod. The velocities along the rod are equal afterwards, those across it unchanged.)",
+      R"(Orange: the two impulses of the rod. The velocities along the rod are equal afterwards, those across it unchanged.)",
       [blow, answer](Canvas& canvas) {
         draw(canvas, {blow, answer});
       });

@@ -67,7 +67,8 @@ void ten_seconds(const Setting& setting, Page& page) {
                              kinetic energy of that part.)"},
                    {"fallen", say(R"(It has fallen by @ m·g·L. Each step moves the bob off the circle, and the next
                                   impulse takes the outward part of V away, with its kinetic energy.)",
-                                  course::small_error(-change / scale, 4))}},
+                                  course::small_error(-change / scale, 4))},
+                   {"that depends on h", "h sets only how much: what a step loses is a square, never negative."}},
        .answer = change > 0 ? 0 : 1,
        .hints = {"What does an impulse that makes JV = 0 do to the part of V along d?",
                  "Kinetic energy is ½m(v_along² + v_across²).", "v_along becomes 0, v_across stays."}});
@@ -85,7 +86,7 @@ void ten_seconds(const Setting& setting, Page& page) {
       .x = {.label = "time (s)"},
       .y = {.label = "C (m²)"},
       .curves = {
-          {.label = "C", .x = each(run, &Sample::time), .y = each(run, &Sample::C), .colour = palette::error}}};
+          {.label = "", .x = each(run, &Sample::time), .y = each(run, &Sample::C), .colour = palette::error}}};
   page.sequence(
       "ten_seconds",
       R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C never falls, and grows fastest where the

@@ -13,11 +13,13 @@ double peak_tension(const Setting& setting, double h, double period) {
 }
 
 Chart tension_chart(const Swing& run, const SimplePendulum& exact, double mass, double end) {
+  const double weight = mass * gravity();
   const Curve law = pictures::theory(
-      "exact", 0, end, [&](double t) { return exact.tension(t, mass); }, 400);
-  Curve measured = curve("−λ|d|/h", run, &Sample::time, &Sample::tension);
+      "exact", 0, end, [&](double t) { return exact.tension(t, mass) / weight; }, 400);
+  Curve measured =
+      curve("−λ|d|/h", run, &Sample::time, [weight](const Sample& sample) { return sample.tension / weight; });
   measured.colour = palette::force;
-  return {.x = {.label = "time (s)"}, .y = {.label = "pull of the rod (N)"}, .curves = {law, measured}};
+  return {.x = {.label = "time (s)"}, .y = {.label = "tension (m·g)"}, .curves = {law, measured}};
 }
 
 void draw_frame(Canvas& canvas, const Sample& now, const Swing& run, const Chart& chart, double weight) {
@@ -37,9 +39,10 @@ void draw_frame(Canvas& canvas, const Sample& now, const Swing& run, const Chart
   canvas.vector(now.position, Vector(0, -weight), {palette::muted, newton, "N"});
   canvas.look_at_page();
   canvas.text({scene.centre().x(), scene.top() - 14},
-              say("the rod pulls with @ N", std::round(10 * now.tension) / 10),
+              say("tension @ m·g@", std::round(1000 * now.tension / weight) / 1000,
+                  now.tension < 0 ? ": the rod pushes" : ""),
               {.size = 22, .colour = palette::force, .bold = true});
-  canvas.text({scene.centre().x(), scene.top() - 44}, say("the bob weighs @ N", Value(weight, 3)),
+  canvas.text({scene.centre().x(), scene.top() - 44}, say("weight m·g = @ N", Value(weight, 3)),
               {.size = 20, .colour = palette::muted});
   draw(canvas, pictures::grown_to(chart, now.time), beside);
 }
@@ -98,7 +101,7 @@ void tension(const Setting& setting, Page& page) {
   const Chart chart = tension_chart(run, exact, mass, end);
 
   page.sequence("swing",
-                "The pull of the rod (orange) and the weight (grey); right: −λ|d|/h, and dashed m(g·cosθ + Lθ̇²) "
+                "The tension (orange) and the weight (grey); right: −λ|d|/h, and dashed m(g·cosθ + Lθ̇²) "
                 "of the exact "
                 "pendulum. The solver knows nothing of circles.",
                 Seconds{end},
@@ -108,11 +111,11 @@ void tension(const Setting& setting, Page& page) {
                step = std::sqrt(gravity() / length) * h;
   page.text(
       R"(At the bottom the tension is @ m·g in this run and @ m·g exactly. The @ m·g in between is the error of the
-      time step, not of the solver, which makes JV zero to rounding. With h/2 it is @ m·g, and the next two steps show
-      where it comes from. @)",
+      time step, not of the solver, which makes JV zero to rounding; steps 6 and 7 of this lesson show where it
+      comes from. With h/2 it is @ m·g. @)",
       lowest + error, lowest, small_error(std::abs(error)), small_error(std::abs(half)),
       page.verdict({{.when = within(1.8, Quantity("error with h, over that with h/2", error / half), 2.2),
-                     .say = "Half the step makes about half the error."}}));
+                     .say = "Half the time step makes about half the error."}}));
   const Condition fine =
       where(Quantity("h·√(g/L)", step) <= 0.05, within(30, Quantity("release", setting.release, "°"), 120));
   page.claim("greatest tension, from h and h/2 towards h = 0", lowest + 2 * half - error, "m·g",

@@ -67,8 +67,7 @@ void within_a_step(const Setting& setting, Page& page) {
   const pictures::Acts acts(
       {{say("V = gh = @ m/s", Value(row.v2.norm(), 3)), "Gravity adds gh to V, straight down.", palette::velocity},
        {say("JV/|d| = @ m/s", Value(rate, 3)),
-        rate == 0 ? "V has no part along d: the rod keeps its length."
-                  : say("The part of V along d: the rod would get @.", fate),
+        rate == 0 ? "V has no part along d: JV = 0." : say("The part of V along d: the rod would get @.", fate),
         palette::error},
        {say("λ|d| = −JV|d|/(JM⁻¹J^T) = @ N·s", Value(impulse, 3)),
         rate == 0 ? "There is nothing to remove: λ = 0."
@@ -86,8 +85,7 @@ void within_a_step(const Setting& setting, Page& page) {
         palette::ink}});
   page.sequence(
       "within_a_step",
-      say(R"(One step of @ s, slowed to @ s: gravity, the part of V along the rod, λ, and what is left of V. All
-                    arrows are velocities at one scale; M⁻¹Jᵀλ is the change of velocity by the impulse.)",
+      say(R"(One step of @ s, slowed to @ s. All arrows are velocities at one scale; M⁻¹Jᵀλ is the change of velocity by the impulse.)",
           setting.h, acts.seconds()),
       Seconds{acts.seconds()},
       [film = StepFilm{acts, row, bob, row.v2, answer, length}](Canvas& canvas, double time) {
