@@ -98,7 +98,7 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
       second row sees what the first has done.)",
       Value(mu(3), 3), Value(mu(4), 3), Value(2 / mu(4), 3));
   for (const int rods : {2, 3, 4, 8})
-    page.claim(say("@ rods: growth of the error a sweep", rods), factor(Jacobi{}, rods, knobs), "1",
+    page.claim(say("@ rods: a sweep's factor on the error", rods), factor(Jacobi{}, rods, knobs), "1",
                is(std::abs(1 - mu(rods)), "|1 − μ|, μ = Σ 1/(1 + m x²/I)", relative(1e-9)));
   for (const double share : {0.99, 1.01}) {
     const double relaxation = share * 2 / mu(4);

@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
       .links = lesson.parameter("links", 10, "1", {2, 40}, "links of the chain"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
       .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100},
-                                 "sweeps a step in step 6 (and in step 7's interactive chain)"),
+                                 "sweeps a step in step 6, step 4's warm curve and step 7's interactive chain"),
       .beta = lesson.parameter("beta", 0.2, "1", {0, 1}, "share of the stretch that a step corrects (step 7)"),
       .start = lesson.parameter("start", "cold", {"cold", "warm"},
                                 "what sweeps begin with: λ = 0, or the λ of the last step (step 7)"),

@@ -112,7 +112,7 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   std::vector<int> even;                                  // Jacobi's errors alternate
   for (const int count : counts) even.push_back(2 * ((count + 1) / 2));
   even.erase(std::unique(even.begin(), even.end()), even.end());
-  chart.curves.push_back(curve_of("Jacobi, every second sweep", Jacobi{.warm_start = false}, knobs, even));
+  chart.curves.push_back(curve_of("Jacobi", Jacobi{.warm_start = false}, knobs, even));
   chart.curves.back().colour = renderer::palette::series(6);
   renderer::Curve warm = warm_curve(second, knobs, counts);
   warm.colour = renderer::palette::series(1);
@@ -122,7 +122,8 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   chart.curves.push_back(theory("cosⁿ(π/2N)", std::sqrt(rho), counts));
   chart.curves.push_back(theory("cos²ⁿ(π/2N)", rho, counts));
   page.figure("error_over_sweeps",
-              say(R"(The largest error against sweeps, @ links. Dashed: the rates of theory, drawn from 1. @@)",
+              say(R"(Largest error, @ links. Dashed: the rates of theory, from 1. Jacobi: every second
+ sweep, as its error alternates. @@)",
                   knobs.links,
                   alike ? "The three orders of Gauss–Seidel fall with the same slope."
                         : "The three orders of Gauss–Seidel have different slopes here.",

@@ -46,8 +46,8 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   // bodies.
   const double around = (2.0 + 1 + 2 + 2) * PlaneParticle::dof / (4 * PlaneParticle::dof);
   page.text(
-      R"((The solver's `eliminate` in solver/direct/direct.cpp does this for any graph of bodies, with blocks in place of
-      numbers.) In units of one sweep, elimination costs @ for @ links and @ for @ links. Setting up A and applying the
+      R"((The solver's `eliminate` in solver/direct/direct.cpp does this for any graph of bodies, with blocks for
+      numbers.) In units of one sweep, whose cost grows with N as well, elimination costs @ for @ links and @ for @. Setting up A and applying the
       impulses costs another @. Then every row is right to within rounding error, while N = @ from λ = 0 leave an error of @ gh.
 
       *The article says "iterative solvers are fast". One sweep is; the sweeps that a long chain needs are not.*)",
@@ -71,8 +71,8 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   }
   page.figure(
       "price",
-      R"(Error against cost; for the direct solve A and the impulses are included. Gauss–Seidel pays for every digit, and
-              pays more on a longer chain; the direct solve pays once and leaves only rounding error, drawn near the lower edge.)",
+      R"(Error against cost (direct: with A and the impulses). Gauss–Seidel pays for every digit, more on a longer chain;
+              the direct solve pays once and leaves only rounding error (at the bottom, drawn at 10⁻¹⁵ or above).)",
       chart);
   page.text(
       R"(Why then does anyone iterate? Because not everything is a chain. Rows with bounds (contacts, friction) are not one

@@ -101,7 +101,7 @@ void draw_runs(renderer::Canvas& canvas, const std::vector<Run>& runs, const ren
     const double lines = name == runs[i].name ? 1 : 2;
     canvas.text({cell.centre().x(), cell.top() - 14 * lines + 2}, name, bold);
     const renderer::Rectangle below{cell.x, cell.y, cell.width, cell.height - 28 * lines};
-    const renderer::Camera camera = renderer::fit(world, below, 4);
+    const renderer::Camera camera = renderer::fit(world, {below.x, below.y, below.width, below.height - 30}, 4);
     canvas.clip(below);
     canvas.look(camera);
     if (time < runs[i].lost_at) {
@@ -144,7 +144,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
   }
   if (std::isinf(least)) least = most = 1000 * L;  // all flew apart
   chart.y.range = {{0.02 * least, 3 * std::max(most, least)}};
-  world = {-reach.x(), -reach.y(), 2 * reach.x(), reach.y() + L};
+  world = {-reach.x(), -reach.y(), 2 * reach.x(), reach.y()};  // anchors are above
   std::vector<renderer::Point> right_length;  // as far as the end of a chain that does not stretch can be
   for (double part = -1; part <= 1.001; part += 0.05)
     right_length.emplace_back(knobs.links * L * from_straight_down<PlaneParticle>(part * M_PI / 2));
@@ -172,7 +172,9 @@ void side_by_side(Page& page, const Knobs& knobs) {
     if (std::isinf(run.lost_at))
       page.measure(say("largest stretch, @", run.name), worst(run), "mm");
     else
-      page.text("The chain of \"@\" flew apart after @ s.", run.name, Value(run.lost_at, 2));
+      page.text("The chain @ flew apart after @ s (× in the chart).",
+                &run == &runs.back() ? std::string("solved directly") : say("with @ a step", run.name),
+                Value(run.lost_at, 2));
   }
   const Run &fewest = runs.front(), &direct = runs.back();
   const Run& most_sweeps = runs[compared_sweeps.size() - 1];
@@ -225,9 +227,8 @@ void side_by_side(Page& page, const Knobs& knobs) {
   }
   if (std::isinf(direct.lost_at))
     page.text(
-        R"(Solved directly, each step's rows are satisfied to within rounding error. Only the step itself, which leaves the circle
-        (lesson 2), still stretches the chain. So ask which of the two makes a chain soft: more sweeps cure the one,
-        smaller steps the other.)");
+        R"(Solved directly, each step's rows hold to rounding. Only the step itself, which leaves the circle
+        (lesson 2), still stretches the chain. So when a chain is soft, find out why: too few sweeps, or too large a step?)");
   else
     page.text(
         R"(The time step makes it fly apart: the tension turns light links into springs that are too stiff for h (lesson 8).

@@ -129,36 +129,42 @@ void warm_start(Page& page, const Knobs& knobs) {
   const double held = knobs.h * bodies.velocity[1].y() - bodies.pose[1].position.y();
   const double carried = settled.work.system.lambda.front() * -held / knobs.h;
   const bool stretches = rate > 1e-9 * fall;
+  const Chain cold = hanging(knobs, false), warm = hanging(knobs, true);
+  const renderer::Curve of_cold = error_over_time("cold", cold, knobs, seconds),
+                        of_warm = error_over_time("warm", warm, knobs, seconds);
+  const double watched = seconds - 0.5;  // from when on errors are compared [s]
+  const double most = largest_from(0, of_warm), end = largest_from(watched, of_warm),
+               cold_end = largest_from(watched, of_cold), lost_at = first_beyond(1e3, of_warm);
   if (stretches)
     page.choose(
-        {.ask = say("@ a step, each step from λ = 0. After some seconds, how do the links separate?",
-                    several(k, "sweep")),
-         .options = {{"not at all, the error dies out", "A cold step forgets λ, but what it leaves stays in V."},
-                     {"at a steady speed", "The remainder grows until the sweeps remove gh in a step."},
-                     {"faster and faster", "A larger JV makes the rows pull harder, up to the whole weight."}},
+        {.ask = say("@ a step, each step from λ = 0. In the long run, what do the links do?", several(k, "sweep")),
+         .options = {{"stop separating", "A cold step forgets λ, but what it leaves stays in V."},
+                     {"separate at a steady speed", "The remainder grows until the sweeps remove gh in a step."},
+                     {"separate faster and faster",
+                      "A larger JV makes the rows pull harder, up to the whole weight."}},
          .answer = 1,
-         .hints = {"What does a step do with the error that the last one left in V?",
-                   "In a steady state each step removes as much speed as gravity adds."}});
+         .hints = {
+             "What does a step do with the error that the last one left in V?",
+             "The sweeps remove a fixed fraction of what they find. What happens while that is less than gh?"}});
   if (stretches)
     page.text(
         R"(**Cold, the chain keeps getting longer.** The sweeps of every step leave the same fraction of what they find, and
         this remainder stays in V. It grows until what the sweeps remove in a step is exactly gh: in the end the links
-        separate at a steady speed, the worst at @ m/s. The joints then carry the weight (@ N of @ N at the top), but
+        separate at a steady speed, the worst at @ m/s@. The joints then carry the weight (@ N of @ N at the top), but
         only because this speed shows up in every row's JV.)",
-        rate, carried, knobs.weight());
+        rate,
+        cold_end < 0.95 * rate / fall ? say(", or @ gh (after @ s they have reached @ gh)", Value(rate / fall, 2),
+                                            seconds, Value(cold_end, 2))
+                                      : std::string(),
+        carried, knobs.weight());
   else
     page.text(
         R"(**Cold.** @ solve each step to within rounding error, so even without a memory the chain hangs as it should, with
         @ N of @ N at the top. The rest of this step is about fewer sweeps.)",
         several(k, "sweep"), carried, knobs.weight());
-  const Chain cold = hanging(knobs, false), warm = hanging(knobs, true);
-  const renderer::Curve of_cold = error_over_time("cold", cold, knobs, seconds),
-                        of_warm = error_over_time("warm", warm, knobs, seconds);
-  const double most = largest_from(0, of_warm), end = largest_from(seconds - 0.5, of_warm),
-               cold_end = largest_from(seconds - 0.5, of_cold), lost_at = first_beyond(1e3, of_warm);
   const Quantity compared("warm error/cold error", end / cold_end);
   const auto helps = [&] {
-    return page.verdict({{.when = Quantity("error at the end/largest error", end / most) < 0.01,
+    return page.verdict({{.when = Quantity("error from 2.5 s on/largest error", end / most) < 0.01,
                           .say = "The warm start removes the error."},
                          {.when = both(compared < 1, compared >= 0.5), .say = "The warm start helps a little."},
                          {.when = compared < 0.5, .say = "The warm start helps."},
@@ -171,8 +177,8 @@ void warm_start(Page& page, const Knobs& knobs) {
           ? say(R"(Here the chain flies apart after @ s: the links change so much in one step that the λ of the
                 last one does not fit.)",
                 Value(lost_at, 2))
-          : say("After @ s its largest error is @ gh, against @ gh cold. @", seconds, small_error(end),
-                Value(cold_end, 2), helps()));
+          : say("From @ to @ s its largest error is @ gh, against @ gh cold. @", watched, seconds,
+                small_error(end), Value(cold_end, 2), helps()));
   page.text(
       "For the slow wave, with sₙ the speed of stretching that step n leaves@:",
       slack < 0.1
@@ -197,10 +203,14 @@ void warm_start(Page& page, const Knobs& knobs) {
                    {"try sₙ = zⁿ", "z² − 2qz + q = 0, z = q ± i√(q(1 − q)), |z| = √q",
                     R"(z^2 - 2qz + q = 0, \quad z = q \pm i\sqrt{q(1-q)}, \quad |z| = \sqrt q)"}});
   page.text(
-      R"(So a warm sweep multiplies the wave by √ρ only, a cold one by ρ; but warm sweeps accumulate over the steps and cold
-      ones start again.)");
+      R"(So a single warm sweep does less than a cold one: it multiplies the wave by √ρ, not ρ. But warm sweeps add up over the
+      steps, and cold ones start again.)");
 
-  constexpr double lowest = 1e-9;  // on the chart [gh]
+  constexpr double drawn = 1e-9;  // the least error worth drawing [gh]
+  double least = INFINITY;
+  for (const renderer::Curve* curve : {&of_cold, &of_warm})
+    for (const double error : curve->y) least = std::fmin(least, error);
+  const double lowest = std::max(drawn, least / 10);  // on the chart [gh]
   renderer::Chart chart;
   chart.x.label = "time (s)";
   chart.y = {.label = "largest error (gh)", .scale = renderer::Scale::logarithmic, .range = {{lowest, 30}}};
@@ -220,7 +230,7 @@ void warm_start(Page& page, const Knobs& knobs) {
   Chain last = cold;
   while (last.time < seconds) last.step(knobs.h);
   const double pitch = knobs.length, depth = 0.6 * pitch - last.scene.bodies().pose.back().position.y();
-  if (worst > 10 * lowest)
+  if (worst > 10 * drawn)
     page.sequence(
         "cold_and_warm",
         say(R"(The same chain with @ a step, cold and warm, without any correction of positions; both began at @ m.
