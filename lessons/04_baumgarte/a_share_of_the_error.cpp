@@ -72,8 +72,11 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
          .hints = {"A step lasts h. How far does the bob move in it at the rate JV?",
                    "C′ = C + h·JV with JV = −(β/h)C.",
                    beta == 1 ? "After one step nothing is left to correct."
-                             : say("After one step @ cm are left; the next step starts from there.",
-                                   100 * e * without_rounding(1 - beta, 1))},
+                   : beta > 1
+                       ? say("After one step C = @ cm (the rod is too short); the next step starts from there.",
+                             100 * e * (1 - beta))
+                       : say("After one step @ cm are left; the next step starts from there.",
+                             100 * e * without_rounding(1 - beta, 1))},
          .hinted = 100 * e * std::pow(1 - beta, shown_steps),
          .right = say("Each step leaves the share 1 − β = @, so five leave (1 − β)⁵ = @.",
                       without_rounding(1 - beta, 1), without_rounding(std::pow(1 - beta, shown_steps), 1))});
@@ -86,8 +89,6 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   page.excerpt("lessons/04_baumgarte/plain_bias.cpp", "bias");
   page.figure("plain_bias", R"(How this line shrinks an error of 10 cm in steps of 1/60 s, for three β.)",
               chart_of(plain_bias));
-  page.text("The solver supports both readings (`slop` and `speed_cap` are for lesson 5):");
-  page.excerpt("solver/cures/baumgarte.hpp", "bias");
   page.figure("five_steps",
               say(R"(The end of the rod, at first and after each of @ with β = @. Dashed: where the bob belongs.)",
                   several(static_cast<long>(run.size()) - 1, "step"), setting.beta),
@@ -97,14 +98,11 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
       leaves exactly)");
   if (beta == 1)
     page.formula("C after a step = (1 − β) C before it = 0", R"(C_{k+1} = (1-\beta)\,C_k = 0)");
+  else if (beta == 2)
+    page.formula("C after a step = (1 − β) C before it = −C", R"(C_{k+1} = (1-\beta)\,C_k = -C_k)");
   else
     page.formula("C after a step = (1 − β) C before it = @ · C", R"(C_{k+1} = (1-\beta)\,C_k = @\; C_k)",
                  1 - beta);
-  page.derivation("Why one step leaves the share 1 − β",
-                  {{"one step of h moves C by h times its rate", "C′ = C + hJV", R"(C' = C + hJV)"},
-                   {"(22)", "JV = −(β/h)C", R"(JV = -\tfrac{\beta}{h}\,C)"},
-                   {"insert", "C′ = C − βC = (1 − β)C", R"(C' = C - \beta C = (1-\beta)\,C)"},
-                   {"k steps", "Cₖ = (1 − β)ᵏC₀", R"(C_k = (1-\beta)^k\,C_0)"}});
   page.text("On the circle of step 1 the same happens to the drift of every step. Here is one, slowed down:");
   within_two_steps(setting, page);
   const double push = 0.5 * setting.mass * std::pow(beta * e / h, 2);
@@ -117,8 +115,8 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
     return "Each further step turns the bob round at a higher speed: the energy grows without end.";
   };
   page.text(
-      R"(The article calls this "a small addition of energy", and here you see it: nothing moved at first, and after one
-      step the bob moves at @ m/s and has @ J. @ Step 6 measures the total on a pendulum.)",
+      R"(The article calls Baumgarte "a small addition of energy". The bob of this step shows it: it was at rest, and after one
+      step it moves at @ m/s and has @ J. @ Step 6 measures the total on a pendulum.)",
       beta * e / h, push, returned());
   if (five) page.measure("error after five steps", 100 * left, "cm");
 

@@ -97,7 +97,8 @@ void frame_rate(const Setting& setting, Page& page) {
              measured_half_life(setting, 1 - std::sqrt(1 - beta), h / 2), "s",
              is(half, "(1 − β)^(1/h) stays", rounding));
   page.claim("half-life with h/β kept", kept, "s",
-             is(std::log(2) * h / beta, "ln 2·h/β, short by about β/4 for β/2", relative(0.3 * beta)));
+             is(std::log(2) * h / beta, "ln 2·h/β; with β halved it falls short by the relative amount β/4",
+                relative(0.3 * beta)));
 }
 
 }  // namespace byhand::baumgarte

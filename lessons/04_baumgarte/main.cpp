@@ -36,7 +36,8 @@ int main(int argc, char** argv) {
            {"JV = 0 follows the tangent: C grows, at first at hv²/2L, and the bob loses energy.",
             R"(JV = −(β/h)C leaves the share 1 − β of an error in each step: no overshoot up to β = 1, overshoot up to
             2, growth beyond.)",
-            "As printed, without 1/h, β is a rate in 1/s; with 1/h it is a share per step, and its time is h/β.",
+            "As printed, without 1/h, β is a rate in 1/s; with 1/h it is a share per step, with a time constant "
+            "of about h/β.",
             R"(On a pendulum the correction adds energy and takes it back; with small steps a swing loses energy for
             every β below 2.)",
             "A steady spin leaves C/L = (ωh)²/(2β).",

@@ -47,7 +47,7 @@ void read_literally(const Setting& setting, Page& page) {
                 say("e^(−βt) = ½, so βt = ln 2 = 0.693: 0.693/@ = …", setting.beta)},
       .hinted = std::log(2) / beta,
       .right = say("ln 2/β = @ s@.", Value(std::log(2) / beta, 3),
-                   std::abs(half * beta / std::log(2) - 1) < 0.01
+                   say("@", Value(half, 3)) == say("@", Value(std::log(2) / beta, 3))
                        ? ""
                        : say("; in steps of @ s, half is gone after @ s", setting.h, Value(half, 3)))};
   if (beta < 1)
@@ -68,8 +68,9 @@ void read_literally(const Setting& setting, Page& page) {
                             law}};
   };
   page.figure("literal_and_per_step",
-              say("The same number β = @, read in two ways, over @ s. Read literally, @ at the end.", setting.beta,
-                  decay_seconds,
+              say("The same number β = @, read in two ways, over @ s; left, the first second. Read literally, @ "
+                  "at the end.",
+                  setting.beta, decay_seconds,
                   left > 1e-9 ? say("@ % of the error is left", Value(100 * left, 3))
                               : "less than 10⁻⁷ % of the error is left"),
               [first = chart(1), all = chart(decay_seconds)](Canvas& canvas) {
@@ -79,8 +80,10 @@ void read_literally(const Setting& setting, Page& page) {
               });
   page.text(
       R"(Both readings are in use; find out which one a program means. Per step the limit is β = 2; as printed it is
-      2/h = @ s⁻¹. The solver of this course divides by h, and calls the other reading `BetaReading::literal`.)",
+      2/h = @ s⁻¹. The solver of this course divides by h, and calls the other reading `BetaReading::literal` (`slop` and `speed_cap`
+      are for lesson 5):)",
       2 / h);
+  page.excerpt("solver/cures/baumgarte.hpp", "bias");
   page.measure("half-life as printed", half, "s");
 
   page.claim("half-life as printed", half, "s", is(std::log(2) / beta, "ln 2/β", relative(0.6 * beta * h)));

@@ -58,10 +58,13 @@ void steady_spin(const Setting& setting, Page& page) {
                        ? say("C = @ mm, since one step removes all of it.", Value(one_step, 4))
                        : say("@ · C = @ mm: @ mm/@ = …", beta, Value(one_step, 4), Value(one_step, 4), beta)},
          .hinted = one_step / beta,
-         .right = say(
-             R"(With the first ω, C = ½(ωh)²L/β = @ mm. On the longer rod the bob goes round more slowly: the run
+         .right =
+             say("@", Value(one_step / beta, 4)) == say("@", Value(answer, 4))
+                 ? say("C = ½(ωh)²L/β = @ mm; the run settles there, to the digits shown.", Value(answer, 4))
+                 : say(
+                       R"(With the first ω, C = ½(ωh)²L/β = @ mm. On the longer rod the bob goes round more slowly: the run
                      settles at @ mm.)",
-             Value(one_step / beta, 4), Value(answer, 4))});
+                       Value(one_step / beta, 4), Value(answer, 4))});
   page.formula(
       "βC = ½(ωh)²L   ⟹   C/L = (ωh)²/(2β) = @ for ωh = @",
       R"(\beta C = \tfrac12(\omega h)^2 L \quad\Rightarrow\quad \frac{C}{L} = \frac{(\omega h)^2}{2\beta} = @

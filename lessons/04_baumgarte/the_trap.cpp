@@ -123,8 +123,8 @@ ChainsFilm film_of(const Setting& setting, double beta) {
     return HangingChain({setting.links, setting.sweeps, beta, warm}, length, setting.mass, h);
   };
   ChainsFilm film{hanging(false), hanging(true), length, 0, {}, setting.links};
-  film.beside = {.x = {.label = "time (s)", .range = {{0, chain_seconds}}},
-                 .y = {.label = "largest |C|/L", .scale = Scale::logarithmic}};
+  double watched = 0;  // until the last chain has broken up [s]
+  film.beside = {.x = {.label = "time (s)"}, .y = {.label = "largest |C|/L", .scale = Scale::logarithmic}};
   double depth = setting.links * length, most = 0.1, least = 1e-3;
   for (const auto& [start, name] : {std::pair{&film.cold, "cold"}, std::pair{&film.warm, "warm"}}) {
     HangingChain chain = *start;
@@ -138,10 +138,12 @@ ChainsFilm film_of(const Setting& setting, double beta) {
       most = std::max(most, error);
       if (error > least_shown) least = std::min(least, error);
     }
+    watched = std::max(watched, std::min(chain.time() + 0.1, chain_seconds));
     const double lowest = -chain.linkage().bobs.back().at.y();
     if (start == &film.cold && lowest < 2 * depth) depth = std::max(depth, lowest);
     film.beside.curves.push_back(curve);
   }
+  film.beside.x.range = {{0, watched}};
   film.beside.y.range = {0.5 * least, 2 * most};
   film.view = 1.08 * depth;
   return film;
@@ -154,7 +156,7 @@ double wave_growth_by_hand(double q, double beta, int steps) {
   for (int i = 0; i < 2 * steps; ++i) {
     //! [plain_wave]
     const double warm = V + lambda;  // the warm start applies last step's λ
-    // The sweeps leave the share q of JV + βC.
+    // The sweeps leave the share q of V + βe.
     const double V_new = q * warm - (1 - q) * beta * e;
     lambda += V_new - warm;  // the sum is remembered
     V = V_new;
@@ -171,6 +173,15 @@ double wave_growth_by_hand(double q, double beta, int steps) {
 std::string fate_of_error(double growth) {
   if (growth == 0) return "The error is gone after a few steps. ";
   return say("Each step multiplies the error by @. ", Value(growth, 4));
+}
+
+/// The first number of sweeps whose limit exceeds β, as an item of a list.
+std::string more_sweeps(int links, int sweeps, double beta) {
+  const auto limit = [&](int count) { return laws::largest_beta(laws::left_by_sweeps(links, count)); };
+  if (limit(sweeps) > beta) return "";
+  int enough = sweeps;
+  while (limit(enough) <= beta) ++enough;
+  return say("\n- more sweeps: from @ on the limit is above this β;", enough);
 }
 
 }  // namespace
@@ -195,16 +206,16 @@ void the_trap(const Setting& setting, Page& page) {
             grows.)"
           : R"(λ starts from last step's value, which holds last step's correction as well; the error is corrected
             twice.)";
-  const std::string fate = fate_of_error(growth), few = beta < 2 ? " for so few sweeps" : "";
-  page.choose(
-      {.ask = say("β = @, @, @ a step. Does an error in the rods' lengths die out?", setting.beta,
-                  several(links, "link"), several(sweeps, "warm sweep")),
-       .options = {{"yes", dies_out ? fate + reason : say("This β is too large@. @@", few, fate, reason)},
-                   {"no", dies_out ? say("The sweeps are enough for this β. @@", fate, reason) : fate + reason}},
-       .answer = dies_out ? 0 : 1,
-       .hints = {"λ starts from last step's value. What did that value contain besides the weight?",
-                 "k sweeps leave q = cos²ᵏ(π/2N) of the slowest wave (lesson 3).",
-                 say("Here q is @: compare β with (1 − q)/q, and with 2.", shown_q)}});
+  const std::string fate = fate_of_error(growth),
+                    few = beta < 2 ? say(" for @ over @", several(sweeps, "sweep"), several(links, "link")) : "";
+  page.choose({.ask = say("β = @, @, @ a step. Does an error in the rods' lengths die out?", setting.beta,
+                          several(links, "link"), several(sweeps, "warm sweep")),
+               .options = {{"yes", dies_out ? fate + reason : say("This β is too large@.", few)},
+                           {"no", dies_out ? "The sweeps are enough for this β." : fate + reason}},
+               .answer = dies_out ? 0 : 1,
+               .hints = {"λ starts from last step's value. What did that value contain besides the weight?",
+                         "k sweeps leave q = cos²ᵏ(π/2N) of the slowest wave (lesson 3).",
+                         say("Here q is @: compare β with (1 − q)/q, and with 2.", shown_q)}});
   ChainsFilm film = film_of(setting, beta);
   const auto ends = [&](const Curve& curve, double a_step) {
     if (curve.x.empty() || curve.x.back() < chain_seconds - 1.5 * setting.h())
@@ -223,12 +234,12 @@ void the_trap(const Setting& setting, Page& page) {
           chain_seconds,
           of_warm == of_cold ? "the errors of both chains " + of_warm
                              : say("the warm chain's errors @, while the cold chain's @", of_warm, of_cold)),
-      Seconds{chain_seconds},
+      Seconds{film.beside.x.range->second},
       [film, h = setting.h()](Canvas& canvas, double time) mutable { film.draw(canvas, time, h); });
   page.text(
       R"(Follow the slowest wave along the chain. k sweeps leave the share q = cos²ᵏ(π/2N) of it, here @. A warm step begins
       with all of last step's λ, including last step's correction; the sweeps remove only the share 1 − q of that
-      surplus. As a program, with e for the wave of C, V for its rate, and A = h = 1:)",
+      surplus. As a program, with e for the wave of C, V for its rate, and h and A = JM⁻¹Jᵀ (lesson 3) as units:)",
       shown_q);
   page.excerpt("lessons/04_baumgarte/the_trap.cpp", "plain_wave");
   page.text("A step multiplies the wave by a root z of the cubic");
@@ -265,16 +276,17 @@ void the_trap(const Setting& setting, Page& page) {
                   law.)",
           several(links, "link")),
       map(setting, links));
-  page.text(
-      R"(Where β is above the limit, these help:
+  if (beta >= 2)
+    page.text("Only a smaller β helps here: from 2 on not even one exactly solved row settles.");
+  else
+    page.text(
+        R"(Where β is above the limit, these help:
 @
-      - a smaller β;
-      - a cold start, whose errors die out for every β below 2 while they are small, but which sags;
-      - a direct solve of the chain: then q = 0, and the limit is 2;
-      - a correction that λ does not remember: split impulse (lesson 5) and soft constraints (lesson 6).)",
-      limit < 2 ? say("\n- more sweeps: with @ the limit is @;", several(10 * sweeps, "sweep"),
-                      Value(laws::largest_beta(laws::left_by_sweeps(links, 10 * sweeps)), 3))
-                : "");
+        - a smaller β;
+        - a cold start: small errors die out for every β below 2, but the chain sags;
+        - a direct solve of the chain: then q = 0, and the limit is 2;
+        - a correction that is kept out of the stored λ: split impulse (lesson 5), soft constraints (lesson 6).)",
+        more_sweeps(links, sweeps, beta));
   page.measure("growth of an error in a step", growth, "1");
 
   // The waves that a sweep in chain order removes at once are coupled; in a long chain rounding feeds them.

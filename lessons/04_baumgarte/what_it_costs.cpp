@@ -117,8 +117,9 @@ void what_it_costs(const Setting& setting, Page& page) {
       energy{.label = "lost energy/mgL", .style = CurveStyle::line_and_markers, .colour = palette::series(5)},
       time{.label = "|period error|", .style = CurveStyle::line_and_markers, .colour = palette::series(7)},
       drift_law{.label = "(ωh)²/2β", .style = CurveStyle::theory},
-      energy_law{.label = "lost, small steps", .style = CurveStyle::theory};
-  double before = 0, turns = 0;  // the period's error at the last β, and β where its sign changes
+      energy_law{.label = "law of the loss", .style = CurveStyle::theory};
+  double before = 0;  // the period's error at the last β
+  std::string turns;  // each β where its sign changes, in words
   double most = -INFINITY, best_drift = 0, best_energy = 0, best_period = 0;
   std::array<double, 3> least{1e300, 1e300, 1e300};
   for (const double b : betas) {
@@ -132,7 +133,9 @@ void what_it_costs(const Setting& setting, Page& page) {
     const double lost = (swings - 1) * law_of_loss(setting, exact, b, h);
     energy_law.y.push_back(quick && lost > rounding ? lost : NAN);
     most = std::max(most, errors.energy);
-    if (before * errors.period < 0) turns = std::abs(before) < std::abs(errors.period) ? drift.x.end()[-2] : b;
+    if (before * errors.period < 0)
+      turns += (turns.empty() ? "" : " and ") +
+               say("@", std::abs(before) < std::abs(errors.period) ? drift.x.end()[-2] : b);
     before = errors.period;
     const std::array found{errors.drift, std::abs(errors.energy), std::abs(errors.period)};
     const std::array best{&best_drift, &best_energy, &best_period};
@@ -181,7 +184,7 @@ void what_it_costs(const Setting& setting, Page& page) {
           ? say("The drift and the lost energy keep falling up to the end of the range, β = @.", betas.back())
           : say("Of these β, up to @, the drift is least at @ and the loss of energy at @.", betas.back(),
                 best_drift, best_energy),
-      turns > 0 ? say("(The period error dips near β = @ only because it changes sign there.)", turns) : "",
+      turns.empty() ? "" : say("(The period error dips near β = @ only because it changes sign there.)", turns),
       page.verdict({{.when = where(Quantity("best β for drift", best_drift) > 0.3,
                                    Quantity("best β for energy", best_energy) > 0.3,
                                    Quantity("the most energy gained", most, "mgL") <= rounding),
@@ -190,7 +193,7 @@ void what_it_costs(const Setting& setting, Page& page) {
   page.text(
       R"(A large β has its price elsewhere:
 
-      - A sudden error is pushed out at the speed βC/h: for @ cm that is @ m/s with β = 1@.
+      - A sudden error is removed at the speed βC/h: for @ cm that is @ m/s with β = 1@.
       - Beyond 1 the correction of a sudden error overshoots, and the next step has to turn the bob round.
       - Where rows are *not* solved exactly, the limit can be far below 2: step 6b shows it.)",
       100 * setting.error, setting.error / h,
@@ -198,16 +201,17 @@ void what_it_costs(const Setting& setting, Page& page) {
   page.text(
       R"(How much energy does one swing, there and back, cost? (The figure shows two of them.) With the rod's tension T and
       the centripetal acceleration u = v²/L, small steps change the energy per swing by)");
-  page.formula(
-      "ΔE ≈ −h³(2 − β)/(4β²) · ∮ Ṫ u̇ dt,   u = v²/L",
-      R"(\Delta E \approx -\frac{h^3(2-\beta)}{4\beta^2}\oint \dot T\,\dot u\,dt, \qquad u = \frac{v^2}{L})");
+  page.formula("ΔE ≈ −h³(2 − β)/(4β²) · ∮ Ṫ u̇ dt",
+               R"(\Delta E \approx -\frac{h^3(2-\beta)}{4\beta^2}\oint \dot T\,\dot u\,dt)");
   page.derivation(
       "Where the energy goes",
-      {{"each step adds ½h²u to C, with u = v²/L, and removes βC", "C′ = (1 − β)C + ½h²u",
+      {{"each step adds ½h²u to C, and removes βC", "C′ = (1 − β)C + ½h²u",
         R"(C' = (1-\beta)\,C + \tfrac12 h^2 u)"},
-       {"the drift of j steps ago has the weight (1 − β)ʲ: on average (1 − β)/β steps old, and half a step to "
-        "happen; where "
-        "u changes little within h/β, C follows u, late by τ",
+       {"the drift of j steps ago counts with (1 − β)ʲ, so what makes up C is on average (1 − β)/β steps old, and "
+        "half "
+        "a step more, as each drift builds up during its step; if u changes little within h/β, C follows u with "
+        "the "
+        "delay τ",
         "C(t) = h²/(2β) · u(t − τ),   τ = h(1 − β)/β + h/2 = h(2 − β)/(2β)",
         R"(C(t) = \frac{h^2}{2\beta}\,u(t-\tau),\qquad \tau = h\,\frac{1-\beta}{\beta} + \frac h2 = \frac{h(2-\beta)}{2\beta})"},
        {"the rod pulls inward with T, so over a swing it does the work", "W = −∮ T Ċ dt",

@@ -140,7 +140,7 @@ void when_it_does_not_work(const Setting&, Page& page) {
                   sinks half as fast, and its mass does not matter. What is wrong?)",
            sinks.wrong),
        .options =
-           {{"λ is multiplied by h", "Then the bob would fall almost freely, faster and faster."},
+           {{"λ is multiplied by h", "Then the bob would fall almost freely at first, faster and faster."},
             {"gravity is added after λ",
              "The bob moves by a gh that the row has not seen; the next step removes it and adds the next."},
             {"m⁻¹ is missing in (19)", "Then the speed would depend on the mass: (m − 1)gh, with m in kg."},
@@ -173,8 +173,9 @@ void when_it_does_not_work(const Setting&, Page& page) {
   }
   page.text(
       R"(If your symptom is not listed, run one bob on one rod, without gravity, correction and warm start, and switch them
-      on one by one. Print C, JV + b before λ, λ, and JV + b after it. The last must be zero to rounding; if it is, the
-      solver is right, and C or J is wrong.)");
+      on one by one. Print C, JV + b before λ, λ, and JV + b after it. The last must be zero to rounding. If it is not, look
+      at λ, K and (20). If it is, look at C and J, then at b (sign, 1/h, size of β), then at the order of the step
+      (gravity before λ).)");
 }
 
 }  // namespace byhand::baumgarte
