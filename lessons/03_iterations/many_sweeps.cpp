@@ -122,8 +122,7 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   chart.curves.push_back(theory("cosⁿ(π/2N)", std::sqrt(rho), counts));
   chart.curves.push_back(theory("cos²ⁿ(π/2N)", rho, counts));
   page.figure("error_over_sweeps",
-              say(R"(Largest error, @ links. Dashed: the rates of theory, from 1. Jacobi: every second
- sweep, as its error alternates. @@)",
+              say(R"(Largest error, @ links. Dashed: the rates of theory, from 1. Jacobi: every second sweep. @@)",
                   knobs.links,
                   alike ? "The three orders of Gauss–Seidel fall with the same slope."
                         : "The three orders of Gauss–Seidel have different slopes here.",

@@ -47,7 +47,7 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   const double around = (2.0 + 1 + 2 + 2) * PlaneParticle::dof / (4 * PlaneParticle::dof);
   page.text(
       R"((The solver's `eliminate` in solver/direct/direct.cpp does this for any graph of bodies, with blocks for
-      numbers.) In units of one sweep, whose cost grows with N as well, elimination costs @ for @ links and @ for @. Setting up A and applying the
+      numbers.) In units of one sweep, which also grows with N, elimination costs @ for @ links and @ for @. Setting up A and applying the
       impulses costs another @. Then every row is right to within rounding error, while N = @ from λ = 0 leave an error of @ gh.
 
       *The article says "iterative solvers are fast". One sweep is; the sweeps that a long chain needs are not.*)",

@@ -203,8 +203,8 @@ void warm_start(Page& page, const Knobs& knobs) {
                    {"try sₙ = zⁿ", "z² − 2qz + q = 0, z = q ± i√(q(1 − q)), |z| = √q",
                     R"(z^2 - 2qz + q = 0, \quad z = q \pm i\sqrt{q(1-q)}, \quad |z| = \sqrt q)"}});
   page.text(
-      R"(So a single warm sweep does less than a cold one: it multiplies the wave by √ρ, not ρ. But warm sweeps add up over the
-      steps, and cold ones start again.)");
+      R"(So a single warm sweep does less than a cold one: it multiplies the wave by √ρ, not ρ. But warm sweeps add up, and cold
+      ones start again.)");
 
   constexpr double drawn = 1e-9;  // the least error worth drawing [gh]
   double least = INFINITY;
