@@ -66,8 +66,9 @@ void block_on_a_slope(const Setting& setting, Page& page) {
       mu, Value(limit / degree, 4), time);
   const double too_far = 100 * frame / time;  // [%]
   page.predict(
-      {.ask = say(R"(Symplectic Euler at @ steps a second slides further than ½at². By how many per cent in @ s?)",
-                  std::lround(1 / frame), time),
+      {.ask =
+           say(R"(Symplectic Euler at @ steps a second slides further than ½at². By how many percent after @ s?)",
+               std::lround(1 / frame), time),
        .answer = too_far,
        .unit = "%",
        .tolerance = 0.03 * too_far,

@@ -147,8 +147,8 @@ void chains(const Setting& setting, Page& page) {
   page.text(
       R"(A chain of @ pinned links of 1 m and 1 kg, the last of @ kg, is held level and let go. Every link has to pass
       on the force that holds the chain, so it takes an iteration per link at least, and more with a heavy end (lesson
-      3). The load pulls hardest at its lowest point, and a step too long for that pull tears the chain (lesson 8, law
-      7). So it is watched for @ s, long enough for the load to pass that point. The gap is that of the worst pin. A run has
+      3). A step too long for the pull tears the chain (lesson 8, law 7). So it is watched for @ s, long enough for the
+      load to pass its lowest point. The gap is that of the worst pin. A run has
       failed if a pin opens by a whole link, or if the chain gains more energy than it could by falling its whole
       length.)",
       links, end_mass, Value(frames * frame, 2));
@@ -170,11 +170,17 @@ void chains(const Setting& setting, Page& page) {
                  {2 * end_mass * gravity, "mv²/L is 2mg, and the weight comes on top of it."}},
        .hints = {"Energy gives v² at the lowest point.", "v² = 2gL", "F = mg + mv²/L"},
        .hinted = 3 * end_mass * gravity,
-       .right = say("mg + 2mg = @ N. Law 7 wants T h²/(m l) below 1; at one step a frame the load alone makes it "
-                    "@, and the links add to that.",
+       .right = say("mg + 2mg = @ N. In a chain of many links law 7 wants T h²/(m l) below 1; at one step a frame "
+                    "the load alone makes it @, and the links add to that.",
                     Value(pull, 3), Value(pull * frame * frame, 2))});
   tell_three<M>(page, field, gaps, in_millimetres);
   const Quantity law_7("T h²/(m l) with the links", number_of_law_7(links, end_mass));
+  if (std::isfinite(gaps.front().shipped()) && law_7 >= 1)
+    page.text("@",
+              page.verdict({{.when = law_7 >= 1,
+                             .say = say(R"(With the links' weight T h²/(m l) is @ at the top, and yet the chain
+                                         holds as shipped: fewer light links bear more than law 7's 1.)",
+                                        Value(law_7.value, 2))}}));
   if (!std::isfinite(gaps.front().shipped()))
     page.text(
         "As shipped this course takes one step a frame. @",
@@ -198,8 +204,8 @@ void chains(const Setting& setting, Page& page) {
   stiffer_by_hertz<M>(page, "Box2D 3", scene);
 
   page.text(
-      R"(A small gap is not yet the right motion. Where each link should be after @ s, before the load is down, is known
-      from an integration in the links' angles. The worst link is off by:)",
+      R"(A small gap is not yet the right motion. An integration in the links' angles gives the true position of each
+      link after @ s, before the load is down. The worst link is off by:)",
       Value(exact_frames_of(links) * frame, 2));
   tell_three<M>(page, field, offs, in_millimetres);
   compare_by_time(page, "chain_motion_clocked", "How far the worst link is off then, and the time of a frame.",
@@ -219,8 +225,8 @@ void chains(const Setting& setting, Page& page) {
       others.push_back({say("chain of @", length), chain_of<M>(length, end_mass), frames_of(length)});
   others.push_back({"tree of 255", tree(8), 360});
   page.text(
-      R"(Other lengths with that end, and a binary tree of 255 links, each of 1 kg, without a load; each engine as its
-      manual advises:)");
+      R"(The same end mass on chains of other lengths, and a binary tree of 255 links of 1 kg without a load, each
+      engine as its manual advises:)");
   std::vector<std::string> head{"largest gap"};
   std::vector<std::vector<std::string>> rows;
   std::string out;
@@ -257,7 +263,7 @@ void chain_in_space(const Setting& setting, Page& page) {
   });
   const auto gaps = errors_of(outcomes, &Hung::gap), offs = errors_of(outcomes, &Hung::off);
   page.text(
-      R"(The same chain in space: a pin is three rows, and a link moves with six numbers instead of three. @)",
+      R"(The same chain in space: a pin is three rows, and a link has six degrees of freedom instead of three. @)",
       alone() ? ""
               : "Here the engines of space meet this course in space; a grey line shows what the smaller model "
                 "saves.");

@@ -30,15 +30,16 @@ int main(int argc, char** argv) {
   lesson.deeper("The pyramid in space", with(wall_in_space));
 
   std::vector<std::string> known{
-      "Two engines can be compared only in the same scene, by the same measure, for as long as its slowest motion "
-      "takes, each with its own knobs turned.",
-      "An engine's defaults are chosen for games: one step a frame, an overlap that is left, a few iterations. "
-      "Each is "
-      "a term of its error that you can compute.",
+      "Two engines can be compared only in the same scene, by the same measure, for as long as the scene's "
+      "slowest "
+      "motion takes, and each with its own settings tuned.",
       "The error of a single joint is that of its scheme, whoever wrote it."};
   if (alone()) {
     known.emplace_back("With one engine only, this lesson shows how to measure, not who is better.");
   } else {
+    known.emplace_back(
+        "An engine's defaults are chosen for games: one step a frame, an overlap that is left, a few iterations. "
+        "Each is a term of its error that you can compute.");
     known.emplace_back(
         "A load on a chain needs a direct solve or coordinates that cannot part; a stack needs either many "
         "iterations "

@@ -58,7 +58,7 @@ void by_scheme(Page& page, const Scene<M>& rod, const CompoundPendulum& exact) {
     return swing(engines::contestant<M>(engine, {.knobs = knobs, .steps = steps}), rod, exact).error;
   };
   const double ours = error_of(engines::this_course(), {});
-  rows.push_back({"this course: velocities at the old pose, β = 0.2", in_radians(ours)});
+  rows.push_back({"this course: J at the start of the step, Baumgarte with β = 0.2", in_radians(ours)});
   for (const Engine& engine : engines::all_engines()) {
     if (engine.name == "MuJoCo" || engine.name == "Bullet multi-body") {
       const double error = error_of(engine, {});
@@ -67,7 +67,7 @@ void by_scheme(Page& page, const Scene<M>& rod, const CompoundPendulum& exact) {
                  is(1, "the same scheme", relative(1e-3)));
     } else if (engine.name == "ODE direct") {
       const double error = error_of(engine, {{"ERP", 0.2}});
-      rows.push_back({"ODE direct: velocities at the old pose, ERP = 0.2", in_radians(error)});
+      rows.push_back({"ODE direct: J at the start of the step, ERP = 0.2", in_radians(error)});
       page.claim("ODE direct's error over this course's", error / ours, "1",
                  is(1, "the same scheme", relative(0.01)));
     }
@@ -105,6 +105,8 @@ void pendulums(const Setting&, Page& page) {
        .answer = 4,
        .unit = "1",
        .tolerance = 0.6,
+       .wrong = {{1, "No iteration is missing, but the error of a step remains."},
+                 {16, "The error goes with h, not with h²."}},
        .hints = {"One joint needs no iterations: what is left is the error of the step.",
                  "The error of symplectic Euler is proportional to the step (lesson 9).",
                  "The step is four times as long."},

@@ -58,9 +58,7 @@ void the_engines(const Setting&, Page& page) {
     page.text(
         R"(@Not here: @. `./lessons/run 10` installs those that Debian has and builds with them; CMake fetches Box2D 3
         and Box3D if you configure with `-DBYHAND_BOX2D_3=ON` and `-DBYHAND_BOX3D=ON`.)",
-        alone() ? "This build has no other engine, so each table below has one row, and nothing is drawn: it "
-                  "shows how "
-                  "to measure, not who is better. "
+        alone() ? "This build has no other engine, so the tables hold this course alone, and nothing is drawn. "
                 : "",
         names);
   }
