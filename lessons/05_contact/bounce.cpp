@@ -156,7 +156,7 @@ Chart peaks_over_bounces(const Setting& setting) {
   };
   add("on overlap, h", peaks(on_overlap(setting, e), h, shown), CurveStyle::line_and_markers);
   add("solver, h", peaks(solved(setting, e), h, shown), CurveStyle::markers);
-  add(say("solver, h/@", fine), peaks(solved(setting, e), h / fine, shown), CurveStyle::line);
+  add(say("solver, h/@", fine), peaks(solved(setting, e), h / fine, shown), CurveStyle::markers);
   Curve law{.label = "e²ⁿ", .style = CurveStyle::theory};
   for (int n = 1; n <= shown; ++n) {
     law.x.push_back(n);
@@ -183,13 +183,12 @@ void bounce(const Setting& setting, Page& page) {
   page.excerpt("lessons/05_contact/bounce.cpp", "on_overlap");
   const std::vector<double> overlap = peaks(on_overlap(setting, 1), h, bounces),
                             own = peaks(solved(setting, 1), h, bounces);
-  const std::string peaks_were = say("Its peaks are @ m.", overlap);
   page.choose(
       {.ask = say("e = 1, dropped from @ m, reversed like this. Does the ball come back to the same height?",
                   setting.drop),
-       .options = {{"higher", peaks_were + " When V is reversed, this step's gh is already in it."},
-                   {"to the same height", peaks_were + " |V| does not change, but which V is reversed?"},
-                   {"lower", peaks_were + " Being below the ground costs it nothing here."}},
+       .options = {{"higher", "When V is reversed, this step's gh is already in it."},
+                   {"to the same height", "|V| does not change, but which V is reversed?"},
+                   {"lower", "Being below the ground costs it nothing here."}},
        .answer = overlap.front() > drop   ? 0
                  : overlap.front() < drop ? 2
                                           : 1,

@@ -29,8 +29,8 @@ std::vector<double> after_a_step(const Setting& setting, const RowSolver& solver
   return speeds(row, setting.speed);
 }
 
-/// Once the blow has run through balls that are `gap` [m] apart, in steps of h [s].
-std::vector<double> after_the_blow(const Setting& setting, double gap, double h) {
+/// Once the impact has run through balls that are `gap` [m] apart, in steps of h [s].
+std::vector<double> after_the_impact(const Setting& setting, double gap, double h) {
   Row row = row_of_balls(setting, Direct{}, gap);
   const double end = (setting.balls + 2) * (gap / setting.speed + 2 * h);
   while (row.time < end) row.step(h);
@@ -62,14 +62,14 @@ Chart gaps(const Setting& setting) {
   const double gap = 0.001, crossing = gap / setting.speed;
   for (int i = -6; i <= 14; ++i) {
     const double share = std::pow(2, 0.5 * i);
-    const std::vector<double> speeds = after_the_blow(setting, gap, share * crossing);
+    const std::vector<double> speeds = after_the_impact(setting, gap, share * crossing);
     first.x.push_back(share);
     first.y.push_back(speeds.front());
     last.x.push_back(share);
     last.y.push_back(speeds.back());
   }
   return {.x = {.label = "h / (time to cross a gap)", .scale = Scale::logarithmic},
-          .y = {.label = "speed after the blow (v)"},
+          .y = {.label = "speed after the impact (v)"},
           .curves = {first, last},
           .references = {{Reference::Across::x, 1, "h = gap/v"}}};
 }
@@ -110,7 +110,7 @@ void cradle(const Setting& setting, Page& page) {
                             one_backward = after_a_step(setting, backward);
   std::vector<double> in_turn(static_cast<std::size_t>(n), 0.0);
   in_turn.back() = 1;
-  Chart bars{.x = {.label = "ball"}, .y = {.label = "speed after the blow (v)"}};
+  Chart bars{.x = {.label = "ball"}, .y = {.label = "speed after the impact (v)"}};
   for (int i = 1; i <= n; ++i) bars.bar_names.push_back(say("@", i));
   bars.bars = {{"all at once", direct, {}},
                {"one sweep, first contact first", one_forward, {}},
@@ -123,8 +123,8 @@ void cradle(const Setting& setting, Page& page) {
           n),
       bars);
   page.text(
-      R"(Momentum is right in all of them, and solved at once the energy is right as well. But real balls do something
-      else, nearly the last of these: they collide one after the other. (Nearly, because touching balls are springs:
+      R"(Momentum is right in all four; energy, where all are solved at once and where one collision follows the other.
+      Real balls do nearly the latter. (Nearly, because touching balls are springs:
       their stiffness decides how much the collisions overlap in time, and the other balls recoil a little.) One sweep
       from the first contact gives another result (@ of the energy is left), and one from the last yet another (@). More
       sweeps do not approach real balls either. They approach the first result, in which every row is satisfied.)",
@@ -177,7 +177,7 @@ void cradle(const Setting& setting, Page& page) {
   page.claim(say("largest difference between @ sweeps and all at once", many.sweeps),
              largest_difference(after_a_step(setting, many), direct), "v", is(0, "one answer", absolute(1e-6)));
   const double gap = 0.001;
-  page.claim("last ball, steps of half a gap's flight", after_the_blow(setting, gap, 0.5 * gap / v).back(), "v",
+  page.claim("last ball, steps of half a gap's flight", after_the_impact(setting, gap, 0.5 * gap / v).back(), "v",
              is(1, "one collision after the other", absolute(1e-9)));
 }
 

@@ -216,25 +216,30 @@ void deep_contact(const Setting& setting, Page& page) {
   const Curve& unlimited = chart.curves[seen ? 1 : 0];
   const double filmed = *std::max_element(unlimited.y.begin(), unlimited.y.end());
   const double top = std::max(1.2, 1.1 + std::min(4.0, highest));
-  page.sequence(
-      "pop",
-      say(R"(Boxes come out of the ground, β = @.@ From @ m a box rises @ m above it@; with the speed of the correction
-          limited to @ m/s, @ m; with split impulse, @ m; with a soft contact, @ m.)",
-          setting.beta,
-          seen ? peak(runs[0].box, h) > 0 ? say(" From @ m a box rises @ m above it.", Value(shallow, 2),
-                                                Value(peak(runs[0].box, h), 3))
-                                          : say(" A box @ m deep does not leave it.", Value(shallow, 2))
-               : "",
-          setting.depth, Value(highest, 3),
-          filmed < highest - 0.01 ? say(" (@ m when the film ends)", Value(filmed, 3)) : "", setting.cap,
-          Value(highest_capped, 3), Value(highest_split, 3), Value(highest_soft, 3)),
-      Seconds{pop_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
-        for (NamedBox& run : runs)
-          while (run.box.time < time - 0.5 * h) run.box.step(h);
-        const auto [left, right] = canvas.page().inset(16).panels(0.6, 20);
-        draw_runs(canvas, runs, left, top);
-        renderer::draw(canvas, pictures::grown_to(chart, time), right.lowered(60));
-      });
+  const double from_shallow = seen ? peak(runs[0].box, h) : 0;
+  std::string rises;
+  if (std::max({highest, highest_capped, highest_split, highest_soft, from_shallow}) < 1e-9) {
+    rises = say("None of the @ leaves it.", runs.size());
+  } else {
+    if (from_shallow > 0)
+      rises = say("From @ m a box rises @ m above it. ", Value(shallow, 2), Value(from_shallow, 3));
+    else if (seen)
+      rises = say("A box @ m deep does not leave it. ", Value(shallow, 2));
+    rises += say("From @ m a box rises @ m above it@. ", setting.depth, Value(highest, 3),
+                 filmed < highest - 0.01 ? say(" (@ m when the film ends)", Value(filmed, 3)) : "");
+    const std::string limited = say("With the correction's speed limited to @ m/s", setting.cap);
+    rises += highest_capped > 1e-9 ? say("@ it rises @ m; with", limited, Value(highest_capped, 3))
+                                   : limited + ", with";
+    rises += " split impulse or a soft contact it does not leave it.";
+  }
+  page.sequence("pop", say("Boxes come out of the ground, β = @. @", setting.beta, rises), Seconds{pop_seconds},
+                [=, runs = runs](Canvas& canvas, double time) mutable {
+                  for (NamedBox& run : runs)
+                    while (run.box.time < time - 0.5 * h) run.box.step(h);
+                  const auto [left, right] = canvas.page().inset(16).panels(0.6, 20);
+                  draw_runs(canvas, runs, left, top);
+                  renderer::draw(canvas, pictures::grown_to(chart, time), right.lowered(60));
+                });
   const Condition cannon = Quantity("βd/h", speed, "m/s") > 20;
   if (cannon)
     page.text(page.verdict({{.when = cannon,
@@ -256,7 +261,7 @@ void deep_contact(const Setting& setting, Page& page) {
               are solved again without it (lesson 6, step 7b; Box2D 3). That takes the spring's velocity back.)",
             by_steps > deepest
                 ? std::string("here no overlap needs one")
-                : say("below @ m/s, the speed at which the limiting depth leaves, no box rises above the ground",
+                : say("below @ m/s, the speed of a box at the limiting depth, no box rises above the ground",
                       Value(harmless_speed(beta, h), 3)),
             SoftConstraints{}.frequency);
   page.text(

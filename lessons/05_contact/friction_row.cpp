@@ -10,9 +10,17 @@ namespace {
 /// Without what rounding leaves, to three digits.
 Value tidy(double value) { return {std::abs(value) < 1e-9 ? 0 : value, 3}; }
 
-/// A speed in words: 3 m/s down.
-std::string towards(double rate, const char* positive, const char* negative) {
-  return say("@ m/s @", tidy(std::abs(rate)), rate < -1e-9 ? negative : positive);
+/// The velocity of the corner in words, its parts one to a line or beside each other: 3 m/s down.
+std::string velocity_in_words(const OnACorner& box, const char* between) {
+  std::string words;
+  const auto add = [&](double rate, const char* positive, const char* negative) {
+    if (std::abs(rate) < 1e-9) return;
+    if (!words.empty()) words += between;
+    words += say("@ m/s @", tidy(std::abs(rate)), rate < 0 ? negative : positive);
+  };
+  add(box.slip(), "to the right", "to the left");
+  add(box.approach(), "up", "down");
+  return words.empty() ? "at rest" : words;
 }
 
 /// A box on its corner: how its corner moves, and the impulses so far.
@@ -25,9 +33,8 @@ void draw_corner(Canvas& canvas, const OnACorner& box, double speed, double mass
   canvas.text({(low ? beside : frame).centre().x(), frame.top() - (low ? 60 : 24)}, words,
               {.size = 22, .bold = true});
   canvas.text({(low ? beside : frame).centre().x(), frame.y + (low ? 60 : 20)},
-              say(low ? "corner:\n@,\n@\nω = @ rad/s" : "corner: @, @\nω = @ rad/s",
-                  towards(box.slip(), "to the right", "to the left"), towards(box.approach(), "up", "down"),
-                  tidy(box.spin())),
+              say(low ? "corner:\n@\nω = @ rad/s" : "corner: @\nω = @ rad/s",
+                  velocity_in_words(box, low ? ",\n" : ", "), tidy(box.spin())),
               {.size = 18, .anchor = Anchor::bottom});
   const Rectangle below = low ? picture : Rectangle{frame.x, frame.y + 78, frame.width, frame.height - 130};
   canvas.clip(below);
@@ -97,6 +104,18 @@ Chart speeds(const Setting& setting) {
   return chart;
 }
 
+/// Until the particle is at rest, or 2 more than the normal first needs.
+int steps_to_stop(const Setting& setting, const GaussSeidel& solver) {
+  Puck simulation = puck(setting, solver);
+  const int most = static_cast<int>(std::ceil(setting.speed / (setting.friction() * gravity * setting.h()))) + 2;
+  int steps = 0;
+  while (steps < most && simulation.scene.bodies().velocity[1].x() > 1e-9 * setting.speed) {
+    simulation.step(setting.h);
+    ++steps;
+  }
+  return steps;
+}
+
 double stopping_distance(const Setting& setting, const GaussSeidel& solver) {
   Puck simulation = puck(setting, solver);
   while (simulation.time < 1.1 * setting.speed / (setting.friction() * gravity) + 2 * setting.h())
@@ -135,17 +154,16 @@ void friction_row(const Setting& setting, Page& page) {
       say(R"(The push is straight up and passes to the left of the centre, so it turns the box
                                 clockwise, and a point below the centre then moves to the left: @ m/s.)",
           Value(std::abs(pressed.slip()), 3));
-  page.choose(
-      {.ask = "The normal's row stops the corner. Does the corner slip then, and which way?",
-       .options = {{"to the left", slips},
-                   {"it does not slip", "It did not slip before, but its two directions are coupled. " + slips},
-                   {"to the right", "It would, if the centre were to the left of the corner. " + slips}},
-       .answer = pressed.slip() < 0   ? 0
-                 : pressed.slip() > 0 ? 2
-                                      : 1,
-       .hints = {"The push passes beside the centre of mass. What does it do besides stopping the corner?",
-                 "It changes ω by I⁻¹(r × n)λ, and the corner's velocity by that ω × r.",
-                 "The box turns clockwise. Which way does a point below its centre move?"}});
+  page.choose({.ask = "The normal's row stops the corner. Does the corner slip then, and which way?",
+               .options = {{"to the left", slips},
+                           {"it does not slip", "It did not slip before, but its two directions are coupled."},
+                           {"to the right", "It would, if the centre were to the left of the corner."}},
+               .answer = pressed.slip() < 0   ? 0
+                         : pressed.slip() > 0 ? 2
+                                              : 1,
+               .hints = {"The push passes beside the centre of mass. What does it do besides stopping the corner?",
+                         "It changes ω by I⁻¹(r × n)λ, and the corner's velocity by that ω × r.",
+                         "The box turns clockwise. Which way does a point below its centre move?"}});
   page.figure(
       "on_a_corner",
       R"(Left: the corner comes straight down. Middle: the normal's push (orange) has stopped it and made it slip. Right:
@@ -185,30 +203,31 @@ void friction_row(const Setting& setting, Page& page) {
                        setting.friction)}}));
   within_the_cone(setting, slip.value < 1e-6, page);
   page.text(
-      R"(Friction needs λₙ for its bound. Which of the two rows should come first? Take a particle of @ kg that slides at
+      R"(Does the order of the two rows matter? Take a particle of @ kg that slides at
       @ m/s on level ground, μ = @: one contact, one row of friction.)",
       setting.mass, setting.speed, setting.friction);
   const double full = mu * mass * gravity * h, first = rubbed_in_a_step(setting, orders[1].solver);
-  page.predict(
-      {.ask = say(R"(Friction's row first, then the normal's; one sweep, from λ = 0. What is friction's impulse?
-                  (μmgh is @ N·s.))",
-                  Value(full, 3)),
-       .answer = first,
-       .unit = "N s",
-       .tolerance = 0.05 * full,
-       .wrong = {{full, "Its bound is μ times a normal impulse, and that one is still zero."},
-                 {-full, "Its bound is μ times a normal impulse, and that one is still zero."}},
-       .hints = {"In which order are the two rows visited?", "|λₜ| ≤ μ λₙ.",
-                 "What is λₙ when friction's turn comes?"},
-       .hinted = 0,
-       .right = "λₙ is still zero when friction's turn comes, so the bound is zero too."});
+  const int delay = steps_to_stop(setting, orders[3].solver) - steps_to_stop(setting, orders[0].solver);
+  page.choose(
+      {.ask =
+           "Friction's row first, one sweep a step, started warm. How much later does the particle stop than with "
+           "the normal's first?",
+       .options =
+           {{"not later", "In the first step λₙ is still zero when friction's turn comes, and so is its bound."},
+            {"one step later",
+             "In the first step λₙ is still zero when friction's turn comes, and so is its bound. Then the warm "
+             "start brings the λₙ of the step before."},
+            {"it never stops", "So it would if started cold. The warm start brings the λₙ of the step before."}},
+       .answer = std::clamp(delay, 0, 2),
+       .hints = {"|λₜ| ≤ μ λₙ: what is λₙ when friction's turn comes in the first step?",
+                 "With which λₙ does the second step begin?"}});
   page.figure("order_of_rows",
               say("The speed of that particle, from @ m/s with μ = @, by the order of its two rows.",
                   setting.speed, setting.friction),
               speeds(setting));
   page.text(
       R"(With friction first, one cold sweep never slows the particle. A second sweep finds the λₙ of the first, and a
-      warm start keeps the λₙ of the step before: both hide the mistake, apart from the delay. With the normals first
+      warm start keeps the λₙ of the step before: both hide the mistake, apart from the delay. With the normals first,
       friction is right from the first sweep. But the row solved last is satisfied best: after friction no normal row
       corrects what friction has disturbed, and bodies may sink a little where they rub. Preventing overlap matters more
       than preventing slip, so Box2D 2 solves the normals last and relies on the warm start; Box2D 3 takes them first

@@ -69,7 +69,7 @@ double largest_resting_ratio(int sweeps, double beta, double h) {
 Chart over_ratio(const Setting& setting, double limit) {
   const double h = setting.h(), beta = setting.beta();
   const int sweeps = setting.sweeps;
-  Curve cold{.label = "cold", .style = CurveStyle::line_and_markers},
+  Curve cold{.label = "cold", .style = CurveStyle::markers},
       warm{.label = "warm", .style = CurveStyle::line_and_markers},
       direct{.label = "direct", .style = CurveStyle::line_and_markers},
       law{.label = "cold, theory", .style = CurveStyle::theory};
@@ -187,13 +187,14 @@ void heavy_on_light(const Setting& setting, Page& page) {
       limit < 1.05       ? "at no ratio above 1"
       : limit < heaviest ? say("up to a ratio of about @", Value(limit, 2))
                          : say("even at a ratio of @", heaviest),
-      page.verdict({{.when = where(still < resting_range, sunk < resting_depth),
-                     .say = say("This one has come to rest after @ s, @ mm below its place.", settling,
-                                Value(1000 * without_rounding(warm_high, 1), 3))},
-                    {.when = still >= resting_range,
-                     .say = say("This one does not come to rest: in the eighth second it moves by @ m.",
-                                Value(still.value, 3))},
-                    {.when = sunk >= resting_depth, .say = "This one has come down."}}));
+      page.verdict(
+          {{.when = where(still < resting_range, sunk < resting_depth),
+            .say = say("This one has come to rest after @ s, @ its place.", settling,
+                       warm_high < 1e-9 ? std::string("in") : say("@ mm below", Value(1000 * warm_high, 3)))},
+           {.when = still >= resting_range,
+            .say = say("This one does not come to rest: in the eighth second it moves by @ m.",
+                       Value(still.value, 3))},
+           {.when = sunk >= resting_depth, .say = "This one has come down."}}));
   page.figure("over_ratio",
               say(R"(How far the upper box is from its place, at most, in the eighth second; @ a step. Dashed: from
           the matrices of Gauss–Seidel.)",

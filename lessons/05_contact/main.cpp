@@ -44,9 +44,8 @@ int main(int argc, char** argv) {
             "Where many bodies touch at once, the rows give one answer and real balls another.",
             R"(Sweeps carry a stack's weight quickly, but not its bending: a stack of N boxes of height a whose
             overlaps are left uncorrected takes about ¾gh²N³/a warm sweeps to stand, or a direct solve.)"},
-       .tries = {{"With each change clamped a square box stands and a slim one does not. At which width does that "
-                  "change?",
-                  "./lessons/run contact --step 1 --set width=0.7"},
+       .tries = {{"With each change clamped, from which width on does a box stay on its feet?",
+                  "./lessons/run contact --step 1 --set width=0.25"},
                  {"Half the step: which of the stacks stand now, with the same sweeps?",
                   "./lessons/run contact --step 7 --set h=1/120"},
                  {"Half the step: which bounces come closer to the law?",

@@ -76,10 +76,12 @@ void no_answer(const Setting& setting, Page& page) {
   const double mass = setting.mass, h = setting.h(), angle = std::atan(steep), mu = critical(angle);
   page.text(
       R"(The bound of friction's row is another row's λ. Such a problem may have one answer, several, or none, as Painlevé
-      found in 1895. Let a rod slide on its lower tip to the left, leaning to the right, so that the tip leads. Friction
+      found in 1895. Let a rod slide on its lower tip to the left, leaning to the right at an angle θ to the ground:
+      the tip leads. Friction
       pushes the tip to the right, turns the rod, and so drives the tip into the ground.)");
-  page.formula("λₙ lifts the tip by A_nn − μ|A_nt| = (1 + 3cos²θ − 3μ sinθ cosθ)/m",
-               R"(A_{nn} - \mu\,|A_{nt}| = \frac{1 + 3\cos^2\theta - 3\mu\sin\theta\cos\theta}{m})");
+  page.formula("a unit of λₙ speeds the tip upwards by A_nn − μ|A_nt| = (1 + 3cos²θ − 3μ sinθ cosθ)/m",
+               R"(\text{lift per unit of } \lambda_n{:}\quad A_{nn} - \mu\,|A_{nt}|
+         = \frac{1 + 3\cos^2\theta - 3\mu\sin\theta\cos\theta}{m})");
   page.predict(
       {.ask = say("tanθ = @. What is the smallest μ at which the ground's push no longer lifts the tip?", steep),
        .answer = mu,

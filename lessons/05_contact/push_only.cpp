@@ -13,7 +13,7 @@ namespace {
 
 constexpr double stand_seconds = 2.3, lift = 0.3;    // [s], [m]
 constexpr int shown_sweeps = 8, enough_sweeps = 10;  // with fewer a row has hardly time to take anything back
-constexpr double longest_arrow = 1.6;                // [mgh]; the blow of the landing is far beyond
+constexpr double longest_arrow = 1.6;                // [mgh]; the impact of the landing is far beyond
 
 /// A box that is dropped, and its label.
 struct Stand {
@@ -162,10 +162,8 @@ void push_only(const Setting& setting, Page& page) {
       {.ask = R"(The box has stood still, and gravity has made its velocity −gh. Now sweep over its two rows with
                       *each* change clamped at zero. How does the box move after many sweeps?)",
        .options = {{"it still sinks", "A row that finds its corner sinking pushes until it no longer does."},
-                   {"it is at rest",
-                    (up > 0 ? "Then the two would have given exactly the weight. " : "") + explained},
-                   {"it rises",
-                    (up > 0 ? "" : "Then one of the two would have given more than its share. ") + explained}},
+                   {"it is at rest", up > 0 ? "Then the two would have given exactly the weight." : explained},
+                   {"it rises", up > 0 ? explained : "Then one of the two would have given more than its share."}},
        .answer = up > 0 ? 2 : 1,
        .hints = {
            "The first row finds all of the fall and stops its corner alone.",
@@ -214,7 +212,8 @@ void push_only(const Setting& setting, Page& page) {
   fates += say("; with the sum clamped @ @.", width == 1 ? "it" : say("the box of @ m", width),
                fate(stands.back().box));
   if (std::all_of(stands.begin(), stands.end(), [](const Stand& stand) { return fate(stand.box) == "stands"; }))
-    fates = "All stand: these boxes are too broad to show the mistake.";
+    fates = up > 0 ? "All stand: at this width too little is left over to be seen."
+                   : "All stand: these boxes are too broad to show the mistake.";
   page.sequence(
       "hop_and_tip",
       say(R"(Boxes fall flat from @ m, with @ a step. @ Arrows: λ of the step (mgh is 0.7 m long; more than @ mgh is
