@@ -177,18 +177,22 @@ void block_or_row(const Setting& setting, Page& page) {
       page.verdict(
           {{.when = arm > 50,
             .say = say(
-                R"(A box of @ m on an arm of @ m turns so easily, beside how hard it is to move (r²m/I = @), that
-                a push along x or y alone mostly turns it.)",
+                R"(A box of @ m on an arm of @ m is so much easier to turn than to move (r²m/I = @) that a push along x
+                or y alone mostly turns it.)",
                 setting.side, setting.length, Value(c, 4))},
            {.when = arm <= 50,
             .say = say("With a box of @ m on an arm of @ m, r²m/I is only @: compare.", setting.side,
                        setting.length, Value(c, 4))}}));
   const double halving = std::log(0.5) / std::log(rho);  // sweeps
-  const std::string ask = R"(At 45°, solving x by (17) and then y by (17) is one sweep. )";
+  page.formula("at 45°:  A = (1/m) [1 + c, c; c, 1 + c],  c = r²m/2I = @",
+               R"(\text{at } 45°{:}\quad A = \frac1m\begin{bmatrix}1+c & c\\ c & 1+c\end{bmatrix},\quad
+                  c = \frac{r^2m}{2I} = @)",
+               Value(c / 2, 4));
+  const std::string ask = R"(Solving x by (17) and then y by (17) is one sweep. )";
   const std::vector<std::string> hints{
-      R"(An impulse along x changes the rate along y by A₂₁, and the y row takes that back. How much of it does the x row
-      find again?)",
-      "A sweep leaves (c/(1 + c))² with c = r²m/2I.",
+      R"(An impulse λ along x changes the rate along y by A₂₁λ. When the y row cancels that, how much does it put back
+      into x?)",
+      "A sweep leaves (c/(1 + c))².",
       slender
           ? say("To which power is (@/@)² = @ equal to ½?", Value(c / 2, 5), Value(1 + c / 2, 5), Value(rho, 5))
           : say("(@/@)² = …", Value(c / 2, 4), Value(1 + c / 2, 4))};
@@ -216,8 +220,9 @@ void block_or_row(const Setting& setting, Page& page) {
                   .right = say("A sweep leaves A₁₂²/(A₁₁A₂₂) = @.", Value(rho, 4))});
   page.figure(
       "two_rows",
-      R"(One step from rest at 45°, in the plane of the pin's two impulses. On a dashed line one row has JV = 0, at the
-              crossing both have. Row by row λ moves from one line to the other and back; where the lines are close
+      R"(One step from rest at 45°, in the plane of the pin's two impulses. On each dashed line one row has JV = 0;
+      where
+              they cross, both do. Row by row λ moves from one line to the other and back; where the lines are close
               these moves are short.)",
       [slender, same = side == length, plump = way_of_sweeps(setting, length),
        small = way_of_sweeps(setting, side)](Canvas& canvas) {
@@ -232,10 +237,8 @@ void block_or_row(const Setting& setting, Page& page) {
         if (slender)
           draw(canvas, seen_close(small), {plot.x + 12, plot.y + 34, 0.5 * plot.width, 0.42 * plot.height});
       });
-  page.formula("at 45°:  A = (1/m) [1 + c, c; c, 1 + c],  c = r²m/2I = @;   one sweep leaves (c/(1 + c))² = @",
-               R"(A = \frac1m\begin{bmatrix}1+c & c\\ c & 1+c\end{bmatrix},\quad c = \frac{r^2m}{2I} = @;
-                  \qquad \Bigl(\frac{c}{1+c}\Bigr)^2 = @ \text{ is left by one sweep})",
-               Value(c / 2, 4), Value(rho, 5));
+  page.formula("one sweep leaves (c/(1 + c))² = @",
+               R"(\Bigl(\frac{c}{1+c}\Bigr)^2 = @ \text{ is left by one sweep})", Value(rho, 5));
   page.text(
       R"(First, a box as large as its arm: the rows ask for different things, and a few sweeps are enough. @ @ Solved
       as a block, one solve is enough for any box: the 2 × 2 matrix contains the entry off the diagonal.)",
@@ -285,9 +288,10 @@ void block_or_row(const Setting& setting, Page& page) {
   const Drift warm = drift_of(
       {"", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta}, true)}, length, h);
   page.text(R"(Within @ s the pin @ as a block, and row by row it @.@)", drift_seconds, fate(block), fate(rows),
-            on_tangent ? R"( The block's error is the step's own tangent (lesson 4: r(ωh)²/2β, with ω² = 2g/r at
-                              the bottom: gh²/β for any arm); the sweeps left the rest.)"
-                       : "");
+            on_tangent
+                ? R"( The block's error comes from stepping along the tangent (lesson 4: r(ωh)²/2β, with ω² =
+                              2g/r at the bottom: gh²/β for any arm); the sweeps left the rest.)"
+                : "");
   // A pin that came off was ten arms off.
   const auto worst = [&](const Drift& drift) { return std::isfinite(drift.broke) ? 10 * length : drift.worst; };
   const bool both_broke = std::isfinite(warm.broke) && std::isfinite(rows.broke);

@@ -127,9 +127,8 @@ struct BarsFilm {
 void bounds_on_turns(const Setting& setting, Page& page) {
   const double h = setting.h(), strength = setting.strength();
   page.text(
-      R"(A stop and a motor share one row, the turn's J = [0 −1 0 1]. They differ in the interval for λ and in the speed
-      they ask for. The solver clamps the sum of λ to that interval, as for a contact in lesson 5:)");
-  page.excerpt("lessons/05_contact/on_a_corner.hpp", "bounded");
+      R"(A stop and a motor share one row, the turn's J = [0 −1 0 1], and for both the solver clamps the sum of λ to an
+      interval, as for a contact (lesson 5, step 1). They differ in this interval and in the speed they ask for:)");
   page.formula("stop:  JV ≥ −(β/h)C,  0 ≤ λ        motor:  JV = s,  |λ| ≤ τh",
                R"(\text{stop: } JV \ge -\tfrac{\beta}{h}C,\ 0 \le \lambda \qquad
                   \text{motor: } JV = s,\ |\lambda| \le \tau h)");
@@ -187,15 +186,15 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   for (const Shown& one : shown) {
     Curve curve{.label = one.name};
     Held now = one.arm;
-    constexpr double blow = 2;  // [mgl], beyond the chart
-    bool blown = false;
+    constexpr double beyond = 2;  // [mgl], beyond the chart
+    bool cut = false;
     advance_to(now, bar_seconds, h, [&] {
-      const double given = std::min(torque(now, setting), blow);
-      if (given == blow || blown) {  // upright, one step wide
-        curve.x.push_back(now.time - (blown ? h : 0));
-        curve.y.push_back(blown ? given : curve.y.back());
+      const double given = std::min(torque(now, setting), beyond);
+      if (given == beyond || cut) {  // upright, one step wide
+        curve.x.push_back(now.time - (cut ? h : 0));
+        curve.y.push_back(cut ? given : curve.y.back());
       }
-      blown = given == blow;
+      cut = given == beyond;
       curve.x.push_back(now.time);
       curve.y.push_back(given);
     });
@@ -205,7 +204,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   page.sequence(
       "stop_and_motors",
       say(R"(Three bars let go level: one has a stop @° below, one a strong motor, one the weak motor. Their torques
-          (λ/h; the stop's blow goes off the chart) in the first @ s, also drawn as arrows.)",
+          (λ/h; the stop's impact goes off the chart) in the first @ s, also drawn as arrows.)",
           Value(degrees(stop_at), 3), bar_seconds),
       Seconds{bar_seconds},
       [film = BarsFilm{shown, setting, chart}](Canvas& canvas, double time) mutable { film.draw(canvas, time); });

@@ -129,8 +129,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
   const double a_step = sweeps * m * beta * gap / h;  // what a step adds to either λ
   const double grown = opposed(end);
   page.text(
-      R"(A repeated row is harmless. Now make one of the rods @ m longer. No position of the bob satisfies both. Warm
-      start, @ a step, β = @, and the bob starts at rest.)",
+      R"(A repeated row is harmless. Now make one of the rods @ m longer. No position of the bob satisfies both. We
+      start warm, with @ a step and β = @, and with the bob at rest.)",
       gap, several(sweeps, "sweep"), setting.beta);
   const double halfway = lambda(after(start, conflict_seconds / 2, h), 1), doubled = lambda(end, 1) / halfway;
   page.choose(
@@ -196,8 +196,9 @@ void conflicting_rods(const Setting& setting, Page& page) {
   page.text(
       R"(After @ s the rods act against each other with @ times the bob's weight, and nothing moves. Everything that
       reads λ is then wrong: a joint that breaks above some force, friction with its bound μλ, an arrow in a debugger.
-      And if one rod is removed, the other starts its next step with all of that λ. So **test for conflicts by |λ|, not by
-      looking**, and bound the growth:)",
+      And if one rod is removed, the other starts its next step with all of that λ. So **to find conflicts watch |λ|,
+      not
+      the picture**, and bound the growth:)",
       conflict_seconds, Value(grown / h / weight, 3));
   const Rods chilled = after(cures[1].rods, 2, h), soft = after(cures[2].rods, conflict_seconds, h),
              regularised = after(cures[3].rods, conflict_seconds, h);

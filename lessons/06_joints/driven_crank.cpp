@@ -55,7 +55,7 @@ struct Run {
 Run run_of(const SliderCrankOptions& options, double h) {
   const SliderCrank exact(options.crank, options.rod);
   Machine machine = machine_of(options);
-  Run run;
+  Run run{.position = {.label = "run"}, .torque = {.label = "run"}};
   const double end = crank_turns * 2 * pi / options.speed;
   advance_to(machine, end, h, [&] {
     const double angle = options.angle + options.speed * machine.time;
@@ -138,7 +138,7 @@ void driven_crank(const Setting& setting, Page& page) {
        .options = {{"while the piston speeds up", "There the motor has to give the energy that the piston gains."},
                    {"while the piston slows down",
                     "Its energy goes back through the rod and the crank into the motor."},
-                   {"nowhere", "Then the piston could not lose the energy that it gains on the way out."}},
+                   {"nowhere", "Then the piston could not lose the energy that it has gained."}},
        .answer = 2 * braking > slowing ? 1 : 0,
        .hints = {"The crank's energy stays the same. Whose does not?",
                  "Power = torque times ω = the change of the whole machine's kinetic energy.",
@@ -182,18 +182,20 @@ void driven_crank(const Setting& setting, Page& page) {
   const Condition calm = both(Quantity("ωh", turn) <= 0.15, Quantity("l/r", l / r) >= 1.5);
   const Quantity off("off/r", run.position_off / r);
   page.text(
-      R"((The first steps of the torque are not drawn. The run starts without drift, and while that builds up the torque
-      jumps.) Up to rounding the crank keeps its target speed: a motor with enough strength is a row like any other. @)",
+      R"((The first steps of the torque are not drawn: the run starts without drift, and the torque jumps until the
+      drift
+      has built up.) Up to rounding the crank keeps its target speed: a motor with enough strength is a row like any
+      other. @)",
       page.verdict(
           {{.when = both(calm, off < 0.1),
             .say = say(
-                R"(The piston is at most @ mm off, @ times that at half the step: the error of each step's tangent, which
+                R"(The piston is at most @ mm off, with half the step @ mm: the error of stepping along the tangent,
+                which
                        is proportional to (ωh)², and ωh = @.)",
-                Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2),
-                Value(turn, 3))},
+                Value(1000 * run.position_off, 3), Value(1000 * fine.position_off, 3), Value(turn, 3))},
            {.when = off < 0.1,
-            .say = say("The piston is at most @ mm off, @ of that at half the step.",
-                       Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2))},
+            .say = say("The piston is at most @ mm off, with half the step @ mm.",
+                       Value(1000 * run.position_off, 3), Value(1000 * fine.position_off, 3))},
            {.when = off >= 0.1,
             .say = say(
                 R"(But the piston is up to @ mm off, on a crank of @ m: the machine comes apart. ωh = @ is far too long

@@ -148,7 +148,7 @@ void flat(const Setting& setting, Page& page) {
 
   page.text(
       R"(Hang a third arm between the two of the last step, parallel and of the same length: one body and two pins
-      more, @ numbers and @ rows.)",
+      more, @ velocities and @ rows.)",
       static_cast<int>(three.cols()), rows_of_three);
   page.choose(
       {.ask = "Count again. Does it still move?",
@@ -168,10 +168,11 @@ void flat(const Setting& setting, Page& page) {
       R"(So A has no inverse, and the direct solve says so instead of dividing by zero: "@". (A sweep does not notice: it
       only divides by the blocks on the diagonal.)
 
-      With two arms there is such a pose too: *flat*, with all bars in one line. There the four pins' rows along that
+      With two arms the rank can drop too, but only where the linkage is *flat*, all bars in one line. There the four
+      pins' rows along that
       line repeat one another, and the rank falls from @ to @:)",
       complaint(third, h), static_cast<int>(J.rows()), at_flat);
-  Curve least{.label = "measured", .style = CurveStyle::line_and_markers},
+  Curve least{.label = "measured", .style = CurveStyle::markers},
       square{.label = "slope 2", .style = CurveStyle::theory};
   for (int i = 0; i <= 12; ++i) {
     const double off = 90 * std::pow(10, -i / 3.0);
@@ -219,8 +220,9 @@ void flat(const Setting& setting, Page& page) {
       });
   page.text(
       R"(**Regularisation** lets the direct solve pass this pose: add a small share ε of A's own diagonal D to A, (A +
-      εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little, by γλ. The cost: pins separate at
-      a speed of about ε times their load. The benefit: λ is bounded. Suppose the right-hand pivot is @ mm too far out.
+      εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little. The cost: pins separate at
+      the speed γλ = εDλ, in proportion to ε and to their load. The benefit: λ is bounded. Suppose the right-hand pivot
+      is @ mm too far out.
       In the flat pose the bars cannot reach it and pull at each other in vain; only ε limits that pull:)",
       1000 * misfit);
   page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, β = @, where mgh = @ N·s",
@@ -230,18 +232,21 @@ void flat(const Setting& setting, Page& page) {
   Chart price{.x = {.label = "regularisation ε", .scale = Scale::logarithmic},
               .y = {.label = "speed at which pins separate (m/s)", .scale = Scale::logarithmic}};
   Chart gain{.x = price.x, .y = {.label = "pull of a misfit (N s)", .scale = Scale::logarithmic}};
-  Curve parting{.style = CurveStyle::line_and_markers}, pull{.label = "measured", .style = CurveStyle::markers},
-      law{.label = "law", .style = CurveStyle::theory};
+  Curve parting{.label = "measured", .style = CurveStyle::markers},
+      in_proportion{.label = "in proportion to ε", .style = CurveStyle::theory},
+      pull{.label = "measured", .style = CurveStyle::markers}, law{.label = "law", .style = CurveStyle::theory};
   for (int decade = -9; decade <= -1; ++decade) {
     const double share = std::pow(10, decade);
     parting.x.push_back(share);
     parting.y.push_back(parting_speed(setting, share));
+    in_proportion.x.push_back(share);
+    in_proportion.y.push_back(parting.y.front() * share / parting.x.front());
     pull.x.push_back(share);
     pull.y.push_back(self_pull(setting, share));
     law.x.push_back(share);
     law.y.push_back(self_pull_by_hand(setting, share));
   }
-  price.curves = {parting};
+  price.curves = {parting, in_proportion};
   gain.curves = {pull, law};
   page.figure(
       "price_of_regularisation",

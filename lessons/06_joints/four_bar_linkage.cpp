@@ -57,7 +57,7 @@ struct FourBarFilm {
     canvas.look(fit({-a, -1.1 * a, c + 2 * a, 1.35 * a}, left, 8));
     pictures::draw(canvas, pictures::rods_and_bobs(linkage.scene));
     canvas.look_at_page();
-    canvas.text({left.x + 10, left.top() - 16}, say("@ s", Value(std::floor(time * 10 + 1e-9) / 10, 3)),
+    canvas.text({left.x + 10, left.top() - 16}, say("linkage, @ s", Value(std::floor(time * 10 + 1e-9) / 10, 3)),
                 {.size = 22, .anchor = Anchor::left, .bold = true});
     canvas.look(fit({-a, -1.1 * a, 2 * a, 1.35 * a}, right, 8));
     const Point bob = length * from_straight_down<PlaneBody>(pendulum.angle(time));
@@ -115,19 +115,21 @@ void four_bar_linkage(const Setting& setting, Page& page) {
     exact.x.push_back(i * four_bar_seconds / 150);
     exact.y.push_back(degrees(pendulum.angle(exact.x.back() + h / 2)));
   }
-  page.sequence(
-      "four_bar",
-      say(R"(The linkage, solved directly (β = 1), and beside it the exact pendulum of @ m. Below: both
+  Axis angles{.label = "angle (°)"};
+  if (setting.angle >= 30)
+    for (int tick = -90; tick <= 90; tick += 30)
+      angles.ticks.push_back({static_cast<double>(tick), say("@", tick)});
+  page.sequence("four_bar",
+                say(R"(The linkage, solved directly (β = 1), and beside it the exact pendulum of @ m. Below: both
           angles.)",
-          Value(length, 3)),
-      Seconds{four_bar_seconds},
-      [film =
-           FourBarFilm{start,
-                       bars,
-                       pendulum,
-                       h,
-                       {.x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {swing.angle, exact}}}](
-          Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+                    Value(length, 3)),
+                Seconds{four_bar_seconds},
+                [film = FourBarFilm{start,
+                                    bars,
+                                    pendulum,
+                                    h,
+                                    {.x = {.label = "time (s)"}, .y = angles, .curves = {swing.angle, exact}}}](
+                    Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   const double turn = std::sqrt(gravity / length) * h;  // of the small swing in a step
   const Quantity release_angle("release", setting.angle, "°"), step_angle("ωh", turn);
   const Condition swings = where(release_angle <= 90, step_angle <= 0.06,
@@ -141,9 +143,9 @@ void four_bar_linkage(const Setting& setting, Page& page) {
       R"(The solver does not know that formula. It knows @ rows, and the pins' impulses along the bars keep the coupler
       level. Period: @ s measured over @ s, @ s by the elliptic integral. @)",
       rows, Value(swing.period, 6), measured_for, Value(pendulum.period(), 6),
-      ordered
-          ? say("Half the step divides the difference by @.", Value(error / (fine.period - pendulum.period()), 3))
-          : "");
+      ordered ? say("Halving the step divides the difference by @.",
+                    Value(error / (fine.period - pendulum.period()), 3))
+              : "");
   const Quantity ahead("arms beside the pendulum at t + h/2", degrees(swing.off), "°"),
       late("beside the pendulum at t", degrees(swing.off_at_t), "°");
   page.text(

@@ -83,7 +83,7 @@ void ropes(const Setting& setting, Page& page) {
   page.sequence(
       "rope_and_rod",
       R"(The same throw on a rope and on a rod. On the rope the bob leaves the circle and flies a parabola until it is
-      caught (that blow is off the chart); the rod begins to push and keeps it on the circle.)",
+      caught (that jerk is off the chart); the rod begins to push and keeps it on the circle.)",
       Seconds{seconds}, [=](Canvas& canvas, double time) {
         const auto [left, right] = canvas.page().inset(16).panels(0.5, 20);
         canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
@@ -108,7 +108,8 @@ void ropes(const Setting& setting, Page& page) {
         draw(canvas, pictures::grown_to(chart, time), right.lowered(60));
       });
   page.text(
-      R"(No code switches here. While the rope is slack, the row lets the bob close the gap within the step and no more,
+      R"(The code has no case for taut or slack. While the rope is slack, the row lets the bob close the gap within the
+      step and no more,
       JV ≥ −C/h. To keep it on the circle, (17) would need a λ that pushes; the clamp makes that zero, and the bob
       flies. When it would go beyond the rope's length, the same row catches it.)");
   page.claim("cos θ where the rope goes slack", rope.let_go, "1",

@@ -148,7 +148,8 @@ void rows_to_joints(const Setting& setting, Page& page) {
   page.sequence(
       "six_joints",
       say(R"(The motions that joints leave free: three equations, then three bounds. The stop is at @°, the motor turns
-          once in the film, the rope is slack at first.@ Straight and curved arrows: the joint's force and torque on the
+          once in the film, the rope is slack where it is dotted.@ Straight and curved arrows: the joint's force and
+          torque on the
           bar (λ/h).)",
           Value(degrees(sample_stop), 3),
           std::abs(sample_pace(length) - 1) < 0.05

@@ -105,8 +105,11 @@ void Samples::draw(Canvas& canvas, double time) {
       canvas.hinge(bar.from);
     canvas.clip({});  // arrows may reach beyond
     const Given& of = reactions[i];
+    // The rope is seen beside its pull.
+    const Point beside =
+        i == roped ? bar.from + 0.06 * length_ * Point(bar.from.y(), -bar.from.x()).normalized() : bar.from;
     if (of.force.norm() > 1e-3 * weight_)
-      canvas.vector(bar.from, of.force, {palette::force, 0.3 * length_ / weight_});
+      canvas.vector(beside, of.force, {palette::force, 0.3 * length_ / weight_});
     // A couple of the weight's torque about the hinge is a bow over two radians. Rope and pin have none.
     const double couple = of.couple / (0.5 * weight_ * length_);
     if (i != roped && i != pinned && std::abs(couple) > 0.02)
