@@ -54,7 +54,8 @@ const std::vector<About>& contents() {
        .before = "Lessons 1 to 4; lesson 5 for bounds."},
       {.slug = "07_space",
        .title = "Three dimensions",
-       .summary = "The same code with three more axes: turning inertia, tops that flip, friction along two axes.",
+       .summary =
+           "The same code with three more axes: turning inertia, a book that flips, friction along two axes.",
        .method = "symplectic Euler; Gauss–Seidel or direct; Baumgarte; gyroscopic term none, explicit or implicit",
        .goals = {"carry the inertia of a body along as it turns", "choose how to treat the gyroscopic term",
                  "bound friction along two axes"},

@@ -35,7 +35,8 @@ void draw_cone(Canvas& canvas, double angle, double tension) {
   const Point3 bob(std::sin(angle), -std::cos(angle), 0);
   space.ground({0, -1.35, 0}, 2.4, 0.4);
   pictures::add_ring(space, {0, bob.y(), 0}, Point3::UnitY(), bob.x(), 0.012, palette::muted);
-  space.rod({0, 0, 0}, {0, bob.y(), 0}, 0.005, palette::muted);
+  constexpr double arc_radius = 0.3;
+  space.rod({0, 0, 0}, {0, std::min(bob.y(), -1.15 * arc_radius), 0}, 0.005, palette::muted);
   space.rod({0, 0, 0}, bob, 0.014, palette::constraint);
   space.sphere({0, 0, 0}, 0.035, palette::fixed);
   space.sphere(bob, 0.085, palette::body);
@@ -46,15 +47,18 @@ void draw_cone(Canvas& canvas, double angle, double tension) {
   space.arrow(bob + Point3(0, 0, 0.085), bob + Point3(0, 0, 0.5), 0.016, palette::velocity);
   canvas.draw(space);
   const TextStyle style{
-      .size = 20, .colour = palette::force, .anchor = renderer::Anchor::left, .halo = 3, .offset = {14, 12}};
-  canvas.text(space.project(pull - 0.09 * bob), say("@ weights", Value(tension, 3)), style);
-  canvas.text(space.project(weight), "1 weight",
-              {.size = 20, .colour = palette::force, .halo = 3, .offset = {0, -42}});
+      .size = 20, .colour = palette::force, .anchor = renderer::Anchor::left, .halo = 3, .offset = {12, 20}};
+  canvas.text(space.project(0.5 * (bob + pull) - 0.09 * bob), say("@ weights", Value(tension, 3)), style);
+  canvas.text(
+      space.project(0.5 * (bob + weight) - Point3(0, 0.085, 0)), "1 weight",
+      {.size = 20, .colour = palette::force, .anchor = renderer::Anchor::right, .halo = 3, .offset = {-12, 0}});
   std::vector<Point> arc;
   for (int i = 0; i <= 24; ++i)
-    arc.push_back(space.project(0.3 * Point3(std::sin(i * angle / 24), -std::cos(i * angle / 24), 0)));
+    arc.push_back(space.project(arc_radius * Point3(std::sin(i * angle / 24), -std::cos(i * angle / 24), 0)));
   canvas.path(arc, {palette::ink, 2});
-  canvas.text(space.project(0.17 * Point3(std::sin(angle / 2), -std::cos(angle / 2), 0)), "θ",
+  // Within the arc, or outside it if the angle is too narrow there.
+  const double wide = 0.1 / std::sin(angle / 2), out = wide < 0.22 ? 0.18 : std::max(1.35 * arc_radius, wide);
+  canvas.text(space.project(out * Point3(std::sin(angle / 2), -std::cos(angle / 2), 0)), "θ",
               {.size = 22, .halo = 3});
 }
 
@@ -67,8 +71,9 @@ void conical(const Setting& setting, Page& page) {
   const double measured = turn.tension / weight;
 
   page.text(
-      R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod is the one row of lesson 2, now with six
-      numbers. Started sideways at the right speed it circles at a steady angle: a conical pendulum.)");
+      R"(A bob (@ kg) needs no orientation: it is a `SpaceParticle`, and its rod (@ m) is the one row of lesson 2, now
+      with six numbers. Started sideways at the right speed it circles at a steady angle: a conical pendulum.)",
+      setting.mass, setting.length);
   page.predict(
       {.ask =
            say("It circles on a cone at @° from straight down. How hard does the rod pull, in weights of the bob?",

@@ -106,7 +106,7 @@ Eigen::Vector3d implicitly(const Eigen::Vector3d& I, const Eigen::Vector3d& spin
   Eigen::Vector3d after = spin;
   for (int i = 0; i < 50; ++i) {
     const Eigen::Vector3d mean = 0.5 * (spin + after), momentum = I.cwiseProduct(mean);
-    const double half = 0.5 * h * mean.norm();  // tan(half)/half is 1 + half²/3: for a turn about one axis
+    const double half = 0.5 * h * mean.norm();  // of the angle by which the book turns
     after = spin + h * std::tan(half) / half * momentum.cross(mean).cwiseQuotient(I);
   }
   return after;
@@ -137,8 +137,9 @@ void flips(const Setting& setting, Page& page) {
   const double first_flip = turning.empty() ? INFINITY : turning.front();
 
   page.text(
-      R"(A real book turns over, again and again; try it, with a rubber band round it. A spin about the middle axis is
-      unstable: the small part about the other axes grows until the book flips; then it spins steadily for a while, and
+      R"(A real book turns over, again and again; try it, with a rubber band round it. A spin about the
+      intermediate axis is unstable (the *tennis-racket theorem*): the small part about the other axes grows until
+      the book flips; then it spins steadily for a while, and
       flips back. Euler's equations have an exact solution in elliptic functions; by it this book flips every @ s, half
       a period.)",
       half_period);
@@ -149,7 +150,8 @@ void flips(const Setting& setting, Page& page) {
   page.text(
       R"(*Implicit*: from the mean of the spins before and after, about which the book turns in the step. These are
       three equations in three unknowns. With steps this short a fixed-point iteration solves them; the solver uses
-      Newton's method.)");
+      Newton's method. With φ = h|mean|, the angle of the step, the factor tan(½φ)/½φ makes Iω turn by exactly φ
+      backwards in the body's axes, so that in the world it stays.)");
   page.excerpt("lessons/07_space/flips.cpp", "implicit");
   page.sequence(
       "three_books",
@@ -165,15 +167,14 @@ void flips(const Setting& setting, Page& page) {
   const double gain = h * h / 2 * kick.dot(kick.cwiseQuotient(moments));
   page.choose(
       {.ask =
-           R"(The explicit term is a kick at right angles to ω, so it does no work at the start of the step. What does
-              the energy do over many flips?)",
+           R"(The explicit term adds hk to Iω, and k = Iω × ω is at right angles to ω, so it does no work at the start
+              of the step. What does the energy do over many flips?)",
        .options =
            {{"it is conserved",
-             R"(The kick is at right angles to ω at the *start* of the step. A step along the tangent of a sphere always
-             leaves the sphere outwards.)"},
-            {"it rises",
-             "Each step adds ½h²k·I⁻¹k with k = Iω × ω: the square of the kick, which is never negative."},
-            {"it falls", "A rod removes velocity; here the kick is only added."}},
+             R"(k is at right angles to ω only at the *start* of the step. The spins of equal energy form an ellipsoid,
+             and a step along its tangent always ends outside.)"},
+            {"it rises", "Each step adds ½h²k·I⁻¹k, which is never negative."},
+            {"it falls", "The one term of E' − E that could be negative, h k·ω, is zero."}},
        .answer = flights[1].back().energy > flights[1][0].energy ? 1 : 2,
        .hints = {"To which side of a circle does a step along its tangent lead?",
                  "E = ½ω·Iω, and ω' = ω + h I⁻¹k with k·ω = 0", "E' − E = h k·ω + ½h² k·I⁻¹k"}});

@@ -114,41 +114,46 @@ void gyroscope(const Setting& setting, Page& page) {
                  : change < 1.5 ? 1
                                 : 2,
        .hints = {"In which direction does the torque of the weight change Iω?",
-                 "d(Iω)/dt = mga, level and at right angles to the axle; Iω turns at the rate φ̇.",
+                 "|d(Iω)/dt| = mga, level and at right angles to the axle; Iω turns at the rate φ̇.",
                  "mR²ω · φ̇ = mga"}});
   page.text(
       R"(The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's torque is mga = @ N m. It points sideways, so
       Iω goes round:)",
       top.moment_along * wheel_rate, top.mass * gravity * arm);
   page.formula(
-      "d(Iω)/dt = mga   ⟹   rate = ga/(R²ω) = @ rad/s",
-      R"(\frac{d(I\omega)}{dt} = mga \quad\Rightarrow\quad \dot\varphi = \frac{ga}{R^2\omega} = @\ \mathrm{rad/s})",
+      "|d(Iω)/dt| = |Iω| φ̇ = mga   ⟹   φ̇ = ga/(R²ω) = @ rad/s",
+      R"(\Bigl|\frac{d(I\omega)}{dt}\Bigr| = |I\omega|\,\dot\varphi = mga \quad\Rightarrow\quad \dot\varphi
+         = \frac{ga}{R^2\omega} = @\ \mathrm{rad/s})",
       exact);
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "turned about the vertical (deg)"}};
   // Colours as in step 6.
-  const auto curve = [&](const char* name, const Run& of, double by, Colour colour) {
-    Curve measured{.label = name, .colour = colour},
-        theory{.label = name == std::string("implicit") ? "exact" : "", .style = CurveStyle::theory};
-    measured.x = of.time;
-    for (const double azimuth : of.azimuth) measured.y.push_back(degrees(azimuth));
+  const auto curve = [&](const char* name, const char* law, const Run& of, double by, Colour colour) {
+    Curve measured{.label = name, .style = CurveStyle::markers, .colour = colour},
+        theory{.label = law, .style = CurveStyle::theory};
+    const auto every = static_cast<std::size_t>(std::max(1L, std::lround(0.25 / setting.h)));
+    for (std::size_t i = 0; i < of.time.size(); i += every) {
+      measured.x.push_back(of.time[i]);
+      measured.y.push_back(degrees(of.azimuth[i]));
+    }
     theory.x = {0, precession_seconds};
     theory.y = {0, degrees(by * precession_seconds)};
     chart.curves.push_back(std::move(measured));
     chart.curves.push_back(std::move(theory));
   };
-  curve("implicit", run, exact, palette::series(2));
-  curve("left out", without, as_ball, palette::series(0));
+  curve("implicit", "exact, wheel", run, exact, palette::series(2));
+  curve("left out", "exact, ball", without, as_ball, palette::series(0));
   page.figure(
       "gyroscope",
       say(R"(The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: its angle, with the
                   gyroscopic term and without. Dashed: the exact rates of the wheel and of a ball.)",
           precession_seconds),
       [=](Canvas& canvas) { draw_run(canvas, run, chart); });
+  const double faster = mean_rate(without) / mean_rate(run);
   page.text(
-      R"(Without the gyroscopic term it also goes round, and looks right, but at @ times the rate: the solver then
+      R"(Without the gyroscopic term it also goes round, and looks right, but at @ the rate: the solver then
       treats the wheel as a ball, with ½mR², its moment across the axle, about every axis. No picture tells you that; a
       number does.)",
-      Value(mean_rate(without) / mean_rate(run), 3));
+      std::abs(faster - 2) < 0.005 ? "twice" : say("@ times", Value(faster, 3)));
 
   const double turned = wheel_rate * setting.h / 64;
   page.claim("precession at h/64", mean_rate(run), "rad/s", is(exact, "steady heavy top", relative(turned)));

@@ -76,7 +76,8 @@ void left_out(const Setting& setting, Page& page) {
   }
 
   page.text(
-      R"(Throw the book, spinning at @ rad/s about its middle axis and, carelessly, at @ of that about each of the others.
+      R"(Throw the book, spinning at @ rad/s about y, the axis of its intermediate moment, and, carelessly, at @ of
+      that about each of the others.
       There is no gravity, no constraint and no row, so V stays as it is. Or does it? The angular momentum Iω has to
       stay. In the plane that is the same thing. In space I turns:)",
       setting.spin, careless);

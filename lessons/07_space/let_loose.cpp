@@ -1,4 +1,4 @@
-// Deeper: found contacts in space: a box thrown along the ground.
+// Deeper: found contacts in space: a book that is thrown, bounces and tumbles.
 
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
@@ -32,12 +32,15 @@ Pose<SpaceBody> lying() {
   return pose;
 }
 
+constexpr double thrown_from = 1.2, fall = 0.3;       // [m], speed downwards over that forwards
+Eigen::Vector3d thrown_spin() { return {2, 1, -9}; }  // [rad/s]
+
 Loose tumbling(const Setting& setting) {
   Pose<SpaceBody> pose;
-  pose.position = {0, 1.2, 0};
+  pose.position = {0, thrown_from, 0};
   pose.rotation = space_rotation(Angular<SpaceBody>(0.4, 0.3, 0.5));
   Velocity<SpaceBody> V;
-  V << setting.speed, 0, -0.3 * setting.speed, 2, 1, -9;
+  V << setting.speed, 0, -fall * setting.speed, thrown_spin();
   return on_the_ground(setting, pose, V, 0.4);
 }
 
@@ -145,19 +148,21 @@ void let_loose(const Setting& setting, Page& page) {
   const Tumble thrown = tumble(setting);
   page.text(
       R"(So far the contacts were given. Now the solver finds them: in every step it looks for the points where shapes
-      touch, and each point gets a contact and two rows of friction. Throw a book along the ground at @ m/s, μ = @.)",
-      setting.speed, setting.friction);
-  page.sequence("tumbling",
-                say(R"(A book thrown along the ground: it tumbles over corners and edges@. Below: its energy (with
-                    velocities half a step on), which impacts and friction take away@.)",
-                    thrown.speed > 0.01 ? say("; after @ s it is still moving", tumble_seconds)
-                    : thrown.rests      ? std::string(", and comes to rest in the end")
-                                        : std::string(),
-                    thrown.rises > 1e-3 ? say("; where it rises, by up to @ % in a step, β pushes an overlap out",
-                                              Value(100 * thrown.rises, 2))
-                                        : std::string()),
-                Seconds{tumble_seconds},
-                [film = thrown.film](Canvas& canvas, double time) { film.draw(canvas, time); });
+      touch, and each point gets a contact and two rows of friction. Throw a book from a height of @ m, at @ m/s
+      forward
+      and @ m/s down, spinning at @ rad/s, μ = @.)",
+      thrown_from, setting.speed, fall * setting.speed, Value(thrown_spin().norm(), 2), setting.friction);
+  page.sequence(
+      "tumbling",
+      say(R"(The thrown book bounces, and tumbles over corners and edges@. Below: its energy (with the velocity at the
+          time of the position), which impacts and friction take away@.)",
+          thrown.speed > 0.01 ? say("; after @ s it is still moving", tumble_seconds)
+          : thrown.rests      ? std::string(", and comes to rest in the end")
+                              : std::string(),
+          thrown.rises > 1e-3 ? say("; where it rises, by up to @ % in a step, β pushes an overlap out",
+                                    Value(100 * thrown.rises, 2))
+                              : std::string()),
+      Seconds{tumble_seconds}, [film = thrown.film](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   const double speed = setting.speed, a = setting.friction * gravity;
   const double half_diagonal = 0.5 * std::hypot(book_sides().x(), book_sides().y());
@@ -197,17 +202,15 @@ void let_loose(const Setting& setting, Page& page) {
   const Quantity with_sweeps("swept", swept, "m"),
       with_newton("heavy cube off its place, by Newton's method", newton, "m");
   page.text(
-      R"(Boxes also collide with boxes. Take lesson 5's heavy box on a light one (step 7b) as cubes of @ kg on 1 kg:
-      with @ warm sweeps a step the upper one @. @)",
+      R"(Boxes also collide with boxes. Take the heavy box on a light one (lesson 5, step 7b) as cubes of @ kg on 1 kg:
+      with @ warm sweeps a step the upper one @. @ (`SemismoothNewton` takes rows and bounds as one system of
+      equations, for contacts on which sweeps stall.))",
       heavy, sweeps,
       swept < 0.5 ? say("is up to @ mm off its place in the eighth second", Value(1000 * swept, 3))
                   : say("has fallen off after @ s", settling),
       page.verdict({{.when = with_newton < with_sweeps,
                      .say = "Newton's method keeps it where it was put.",
                      .law = with_newton < 1e-6}}));
-  page.text(
-      "(`SemismoothNewton` takes rows and bounds as one system of equations, for contacts on which sweeps "
-      "stall.)");
   page.measure("straight", straight.distance, "m");
   page.measure("spinning as well", spinning.distance, "m");
 

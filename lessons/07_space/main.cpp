@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
       .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 480, 1.0 / 30}, "time step"),
       .tilt = lesson.parameter("tilt", 60.0, "deg", {0, 90}, "how far the caught book is turned"),
       .angle = lesson.parameter("angle", 60.0, "deg", {20, 75}, "of the pendulums from straight down"),
-      .spin = lesson.parameter("spin", 10.0, "rad/s", {2, 15}, "of the book about its middle axis"),
+      .spin = lesson.parameter("spin", 10.0, "rad/s", {2, 15}, "of the book about its y axis"),
       .wobble = lesson.parameter("wobble", 0.05, "1", {0.005, 0.3}, "share of the spin about each other axis"),
       .friction = lesson.parameter("friction", 0.3, "1", {0.1, 1}, "coefficient μ"),
   };
@@ -31,15 +31,16 @@ int main(int argc, char** argv) {
   lesson.deeper("Orientations and hinges", with(orientation));
   lesson.deeper("A gyroscope does not fall", with(gyroscope));
   lesson.hold(gyroscope_in_hand(setting));
-  lesson.deeper("A book thrown along the ground", with(let_loose));
+  lesson.deeper("A book that tumbles", with(let_loose));
 
   lesson.closing(
       {.now_you_know =
            {"A row has the same four parts in space; r × n has three numbers there, and a row has 12.",
             R"(I belongs to the body and turns with it: RIRᵀ. If R is forgotten, JV still vanishes, but the angular
             momentum changes.)",
-            "A rod conserves the angular momentum about the vertical to rounding, its periods only to the step's "
-            "error.",
+            "A rod conserves the angular momentum about the vertical to rounding; the periods have an error that "
+            "falls "
+            "with the step.",
             R"(Iω stays, so ω turns. Without the gyroscopic term nothing flips, with the explicit term energy grows, the
             implicit one conserves energy and momentum.)",
             "Coulomb's bound is a disc. Bounded axis by axis it is a square, which favours directions and bends "

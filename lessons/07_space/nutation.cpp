@@ -103,9 +103,9 @@ void nutation(const Setting& setting, Page& page) {
   const Nutation run = nutation_of(set_out(setting), h);
 
   page.text(
-      R"(Give the bob @ of that speed, and it falls inward and moves out again, so it swings between two cones: *nutation*.
-      Meanwhile it goes round the vertical: *precession*. Both are known exactly. With u = cosθ,)",
-      setting.share);
+      R"(Give the bob half that speed, and it falls inward and moves out again, so it swings between two cones:
+      *nutation*.
+      Meanwhile it goes round the vertical: *precession*. Both are known exactly. With u = cosθ,)");
   page.formula("u̇² = 2(E/m + gLu)(1 − u²)/L² − (L_y/(mL²))²",
                R"(\dot u^2 = \frac{2}{L^2}\Bigl(\frac{E}{m} + gLu\Bigr)(1-u^2) - \Bigl(\frac{L_y}{mL^2}\Bigr)^2)");
   page.text(
@@ -122,9 +122,8 @@ void nutation(const Setting& setting, Page& page) {
        {"u̇ = −sinθ θ̇, sin²θ = 1 − u²", "u̇² = (1 − u²) θ̇²", R"(\dot u^2 = (1 - u^2)\,\dot\theta^2)"}});
   page.sequence(
       "between_two_cones",
-      say(R"(The bob set out sideways at @ of the cone's speed. Grey rings: the two cones of the exact motion.
-                    Right: its angle, and dashed the exact one.)",
-          setting.share),
+      R"(The bob set off sideways at half the cone's speed. Grey rings: the two cones of the exact motion. Right: its
+      angle, and dashed the exact one.)",
       Seconds{nod_seconds},
       [film = film_of(setting, pendulum)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
@@ -157,9 +156,9 @@ void nutation(const Setting& setting, Page& page) {
                   slopes),
               over_h(setting, exact));
   page.text(
-      R"(The drift of lesson 4 only fell with h. Here the error falls with h², for two reasons: the velocities of symplectic
-      Euler are those of the leapfrog, a second-order method, half a step late; and this bob starts at a turning point,
-      where half a step makes no difference to first order.)");
+      R"(The drift of lesson 4 only fell with h. Here the error falls with h², for two reasons. Symplectic Euler is the
+      leapfrog, a second-order method, with each velocity half a step early. And at a turning
+      point half a step of acceleration is at right angles to v: it changes energy and L_y only to second order.)");
   page.measure("one nutation", run.period, "s");
   page.measure("precession in it", degrees(run.precession), "deg");
 

@@ -50,7 +50,7 @@ double by_exponential(double rate, double h) {
 Chart lag_over_rate(double h) {
   Chart chart{.x = {.label = "angle of one step ωh (rad)", .scale = Scale::logarithmic},
               .y = {.label = "error after 1 s (rad)", .scale = Scale::logarithmic}};
-  Curve first{.label = "q + ½ωqh, made unit", .style = CurveStyle::markers},
+  Curve first{.label = "q + ½ωqh, normalised", .style = CurveStyle::markers},
 
       law{.label = "(ωh)³/12h · 1 s", .style = CurveStyle::theory};
   for (double turn = 0.01; turn < 2; turn *= 1.6) {
@@ -126,15 +126,16 @@ void orientation(const Setting& setting, Page& page) {
       R"(q \leftarrow \exp(\tfrac12\omega h)\,q, \qquad )"
       R"(\exp(\tfrac12\omega h) = \bigl(\cos\tfrac12|\omega|h,\ \sin\tfrac12|\omega|h\ \tfrac{\omega}{|\omega|}\bigr))");
   page.text(
-      R"(Many programs use q + ½ωqh instead, the first two terms of the series, scaled to unit length afterwards. This
+      R"(Many programs use q + ½ωqh instead, with ω as (0, ω): the first two terms of the series, scaled to unit
+      length afterwards. This
       follows a tangent of the unit sphere, as the bob of lesson 2 followed a tangent of its circle, and turns by
       2·atan(½ωh) instead of ωh. At @ rad/s, @ rad a step, it is @° behind after a second; without scaling, |q| grows to
       @.)",
       setting.spin, Value(turn, 3), Value(degrees(first.lag), 3), Value(first.stretched, 6));
   page.figure(
       "lag",
-      R"(Error of this orientation after a second of steady turning, up to half a turn, over the angle of one step; the
-              exponential only has rounding errors. Dashed: the first term of ωh − 2·atan(½ωh).)",
+      R"(Error of this orientation after a second of steady turning, while below half a turn, over the angle of
+              one step; the exponential only has rounding errors. Dashed: the first term of ωh − 2·atan(½ωh).)",
       lag_over_rate(h));
 
   joints_in_space(setting, page);
@@ -145,7 +146,7 @@ void orientation(const Setting& setting, Page& page) {
              is(0, "exact for steady ω", absolute(1e-12)));
   page.claim("first order: behind after 1 s", first.lag, "rad",
              is(steps * (turn - 2 * std::atan(turn / 2)), "ωh − 2·atan(½ωh) a step", absolute(1e-6)));
-  page.claim("first order, not made unit: |q| after 1 s", first.stretched, "1",
+  page.claim("first order, not normalised: |q| after 1 s", first.stretched, "1",
              is(std::pow(1 + turn * turn / 4, steps / 2), "√(1 + ¼(ωh)²) a step", relative(1e-10)));
 }
 

@@ -113,24 +113,34 @@ void same_code(const Setting& setting, Page& page) {
   page.excerpt("solver/jacobian.hpp", "8");
   page.text(
       R"(It is not there. A body's type says along how many axes it moves and about how many it turns: bodies in the plane
-      are `Model<2, 1>`, bodies in this lesson `Model<3, 3>`, and no code is written twice. Four things change, and each
-      has its step in this lesson:
+      are `Model<2, 1>`, bodies in this lesson `Model<3, 3>`, and no code is written twice. Five things change:
 
       - r × n is one number in the plane (how much a push turns the body) and three in space (about which axis);
-      - I is one number in the plane; in space it is three, along axes that turn with the body;
-      - an orientation is a cosine and a sine in the plane and a quaternion in space;
-      - Iω and ω may point in different directions, and then ω turns without any force.)");
-  page.figure(
-      "numbers",
-      R"(Numbers in a row of J (both bodies) and in a body's pose, velocity and inertia, by model. A ball joint, a
-              block of three rows, has three times the first bar.)",
-      how_many());
+      - I is one number in the plane; in space it is three, along axes that turn with the body (step 2);
+      - an orientation is a cosine and a sine in the plane and a quaternion in space (step 7a);
+      - Iω and ω may point in different directions, and then ω turns without any force (step 5);
+      - friction has one axis in the plane and two in space (step 7).)");
+  page.figure("numbers",
+              R"(Numbers in a row of J (both bodies) and in a body's pose, velocity and inertia, by model.)",
+              how_many());
   page.text(
-      R"(A row has @ numbers instead of @, and the velocity of a body @ instead of @. So a row costs @ times as many
-      multiplications in a sweep, and a joint @ times as many, with three rows instead of two. Nothing else changes for
-      sweeps and β, because they only see rows.)",
-      space.row, plane.row, space.velocity, plane.velocity, space.row / plane.row,
-      3 * space.row / (2 * plane.row));
+      R"(A row has @ numbers instead of @, and the velocity of a body @ instead of @. So a row costs twice as many
+      multiplications in a sweep. Nothing else changes for sweeps and β, because they only see rows.)",
+      space.row, plane.row, space.velocity, plane.velocity);
+  const double growth = 3 * space.row / (2 * plane.row);
+  page.predict(
+      {.ask =
+           R"(A contact with friction has two rows in the plane and three in space. By what factor does the number of
+                 multiplications in its J grow?)",
+       .answer = growth,
+       .unit = "1",
+       .tolerance = 0.1,
+       .wrong = {{2, "That is one row. There are also more rows."},
+                 {1.5, "That is the number of rows. Each is also longer."}},
+       .hints = {"How many rows does it have, and how many numbers has each?",
+                 say("2 · @ in the plane, 3 · @ in space.", plane.row, space.row)},
+       .hinted = growth,
+       .right = say("3 · @ over 2 · @.", space.row, plane.row)});
 
   const Twins pair = twins(setting);
   page.text(
@@ -143,29 +153,7 @@ void same_code(const Setting& setting, Page& page) {
               second from one position to the next.)",
       [=, length = setting.length](Canvas& canvas) { draw_twins(canvas, pair, length); });
 
-  const Eigen::Vector3d sides = book_sides();
-  const double mass = setting.mass;
-  const auto inertia = [&](auto model, double scale) {
-    using M = decltype(model);
-    const double volume = std::pow(scale, M::linear);
-    return 1 / box<M>(volume * mass, scale * sides.head<M::linear>().eval()).angular[0];
-  };
-  const double growth = inertia(SpaceBody(), 2) / inertia(SpaceBody(), 1),
-               growth_in_plane = inertia(PlaneBody(), 2) / inertia(PlaneBody(), 1);
-  page.predict({.ask = R"(Double every side of a box, in the same wood. By what factor does each of its three
-                       moments of inertia grow?)",
-                .answer = growth,
-                .unit = "1",
-                .tolerance = 0.02 * growth,
-                .wrong = {{4, "That is the square of the distance alone; there is also more wood."},
-                          {8, "That is the mass alone; it is also twice as far from the axis."},
-                          {growth_in_plane, "That is a plate in the plane: mass 4 times, distance² 4 times."}},
-                .hints = {"I is a sum of mass times distance squared. How does each of them grow?", "I = Σ m r²",
-                          "m grows 2³ times, r² grows 2² times: 2³ · 2² = …"},
-                .right = say("Mass 8 times, distance² 4 times. In the plane it is @.", growth_in_plane)});
-
   page.claim("numbers in a row", space.row, "1", is(2 * (3 + 3), "(6): l1 a1 l2 a2, three each", absolute(0)));
-  page.claim("growth of I, sides doubled", growth, "1", is(std::pow(2, 5), "mass 2³, arm² 2²", relative(1e-12)));
   page.claim(say("rod in space from rod in the plane, over @ s", rod_seconds), pair.apart, "m",
              is(0, "the same rod <2,1>", absolute(1e-10 * setting.length)));
 }

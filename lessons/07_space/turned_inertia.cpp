@@ -29,11 +29,14 @@ Bodies<SpaceBody> bodies_of(const Catch& caught, const Velocity<SpaceBody>& velo
   return scene.bodies();
 }
 
-/// A box of `sides` [m], turned by `tilt` [rad] about an axis askew to its own.
+/// Askew to the axes of the book.
+Eigen::Vector3d tilt_axis() { return {0.6, 0.8, 0}; }
+
+/// A box of `sides` [m], turned by `tilt` [rad] about `tilt_axis`.
 Catch caught_on_a_nail(const Eigen::Vector3d& sides, double mass, double tilt, bool turned) {
   Catch caught;
   caught.mass = box<SpaceBody>(mass, sides);
-  caught.pose.rotation = space_rotation(Angular<SpaceBody>(tilt * Eigen::Vector3d(0.6, 0.8, 0)));
+  caught.pose.rotation = space_rotation(Angular<SpaceBody>(tilt * tilt_axis()));
   caught.pose.position = rotate(caught.pose.rotation, Eigen::Vector3d(0, -0.5 * sides.y(), 0));
   Velocity<SpaceBody> V = Velocity<SpaceBody>::Zero(), ground = V;
   V.head<3>() = flight();
@@ -152,9 +155,10 @@ void turned_inertia(const Setting& setting, Page& page) {
   page.text("It has to be computed again whenever the body has turned. With it, (18) for one body is");
   page.excerpt("lessons/07_space/turned_inertia.cpp", "18");
   page.text(
-      R"(What if you forget R? The book flies by at @ m/s, @, and the middle of its yellow side catches on a nail: a pin,
-      three rows, solved as one block. Here is that solve, with the mistake as an option:)",
-      flight(), setting.tilt == 0 ? std::string("not turned") : say("turned by @°", setting.tilt));
+      R"(What if you forget R? The book flies by at @ m/s, @, and the middle of its yellow side catches on a nail: a
+      ball joint, three rows, solved as one block. Here is that solve, with the mistake as an option:)",
+      flight(),
+      setting.tilt == 0 ? std::string("not turned") : say("turned by @° about @", setting.tilt, tilt_axis()));
   page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
   const bool shows = wrong.lost() > 1e-9;
   page.choose(
@@ -188,7 +192,7 @@ void turned_inertia(const Setting& setting, Page& page) {
   page.text(
       R"(@ A body that has not turned hides the mistake, and so does a ball or a cube, whose I is the same about every
       axis. So test with a book, and turn it first.)",
-      shows ? "The joint looks right, but the body turns about a wrong axis and too fast or too slowly."
+      shows ? "The joint looks right, but the body turns about the wrong axis, and too fast or too slow."
             : "Here joint and motion are right in spite of the mistake.");
   page.figure("lost_by_tilt",
               "Change of the angular momentum about the nail in one solve, against the tilt of the book.",

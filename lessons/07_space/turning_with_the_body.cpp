@@ -56,6 +56,10 @@ struct TurningFilm {
     if (adds == 1) space.arrow({0, 0, 0}, whole, 0.022, palette::error);
     canvas.draw(space);
     Labels labels(canvas, left);
+    for (int i = 0; i <= 20; ++i) {  // the shaft of ω
+      const Point on = space.project(0.05 * i * omega);
+      labels.avoid(Rectangle{on.x() - 8, on.y() - 8, 16, 16});
+    }
     const auto name = [&](const Point3& at, const char* text, Colour colour) {
       labels.place(space.project(at), text, {.size = 22, .colour = colour, .halo = 3}, 14);
     };
@@ -75,16 +79,17 @@ void turning_with_the_body(const Setting& setting, double careless, Page& page) 
   std::vector<pictures::Acts::Act> acts{
       {say("|ω| = @ rad/s", Value(first.omega.norm(), 3)), "The book spins about ω.", palette::velocity},
       {say("|Iω| = @ kg m²/s", Value(first.momentum.norm(), 3)),
-       "Iω = ΣI_i ω_i e_i: each part lies along an axis e_i of the book.", palette::constraint}};
+       "Iω = ΣI_i ω_i e_i: each part lies along an axis e_i of the book.", palette::error}};
   for (std::size_t k = 0; k < stretches; ++k) {
     const Instant& now = flight[(k + 1) * slow_steps];
     acts.push_back(
-        {say("ω: @°, Iω: @°", Value(degrees(between(now.omega, first.omega)), 3),
+        {say("ω is @° from its start, Iω @°", Value(degrees(between(now.omega, first.omega)), 3),
              Value(std::round(1e6 * degrees(between(now.momentum, first.momentum))) / 1e6, 2)),
-         k == 0 ? "Angles from the start. The axes have turned with the book, and I with them; the parts still "
-                  "add up to the same Iω. So ω must turn."
-                : "",
-         palette::error});
+         k == 0
+             ? "The axes have turned with the book, and I with them; the parts still add up to the same Iω. So ω "
+               "must turn."
+         : k == 1 ? "Each part of Iω changes, their sum does not."
+                  : "ω goes round, Iω stays."});
   }
   double largest = 0;
   for (const Instant& now : flight)

@@ -149,7 +149,8 @@ void two_axes(const Setting& setting, Page& page) {
           pucks, setting.speed),
       Seconds{std::min(2.5, 1.15 * v / a)}, [film](Canvas& canvas, double time) { film.draw(canvas, time); });
   page.text(
-      R"(Bounding each axis by itself is wrong in two ways. Between the axes friction is too strong, by up to √2. And v₁
+      R"(Bounding each axis by itself is wrong in two ways. Between the axes friction is too strong, by a factor of
+      up to √2. And v₁
       reaches zero after v₁/μg, v₂ after v₂/μg, so the path *bends*.@ For short steps, a puck
       that starts at the angle φ stops in the direction)",
       setting.heading == 45 ? " (Only at 0°, 45° and 90° it does not.)" : "");
