@@ -76,8 +76,8 @@ void accuracy_as_the_input(Page& page) {
   page.text(
       R"(Each substep h is made, and its error e is estimated. If e is larger than the tolerance times h, the substep is
       taken back and a shorter one is tried. Otherwise the next one may be longer. RATTLE needs no further solve for e:
-      the substep has moved a body by h times V in its middle, and e is how far the mean of V at its two ends would
-      have moved it elsewhere. Generalised coordinates use a pair of rules by Fehlberg. Five slopes give a rule of order
+      the substep moved the body by h times the mid-step velocity; e is the distance from there to where the mean of
+      the velocities at both ends would have put it. Generalised coordinates use a pair of rules by Fehlberg. Five slopes give a rule of order
       4, a sixth slope gives one of order 5, and e is the difference. A rotation is measured by the arc at the radius of
       gyration, so e is in metres for every body.)");
   const Asked rattle = asked<Rattle>(page, watched, "RATTLE"),
@@ -129,8 +129,7 @@ void accuracy_as_the_input(Page& page) {
   const Tried best = with_substeps(enough);
   const double ratio = own.row_solves / best.row_solves;
   page.text(
-      R"(Does that cost more? At @ m/s RATTLE is @ m off at most, for @ row-solves, the substeps that it took back among
-      them. The fewest fixed substeps that are as good are @ a second, for @ row-solves. @)",
+      R"(Does that cost more? At @ m/s RATTLE is @ m off at most, for @ row-solves, rejected substeps included. The fewest fixed substeps that are as good are @ a second, for @ row-solves. @)",
       course::typed(tolerance), Value(own.error, 2), own.row_solves, enough / (span / looks), best.row_solves,
       ratio < 0.9   ? say("So the tolerance costs @ % less.", Value(100 * (1 - ratio), 2))
       : ratio > 1.3 ? say("So the tolerance costs @ times as much, if you know that number.", Value(ratio, 2))
@@ -146,8 +145,8 @@ void accuracy_as_the_input(Page& page) {
       refused += (refusals++ ? " or " : "") + std::to_string(count);
   const Tried controlled = tried(heavy, Controlled<Rattle>{tolerance}, span);
   page.text(
-      R"(Its real advantage is robustness. Hang @ kg on a chain of @ links. With @ fixed substeps a frame, RATTLE's
-      equations have no solution at some point. With a tolerance of @ m/s it makes @ substeps in @ s and is @ m off at
+      R"(Its real advantage is robustness. Hang @ kg on a chain of @ links. With @ fixed substeps a frame, Newton's method
+      finds no solution for RATTLE at some point. With a tolerance of @ m/s it makes @ substeps in @ s and is @ m off at
       most: a substep that has no solution is retried with a shorter one. The same number serves both scenes.)",
       heavy.problem["end_mass"], heavy.problem["links"], refused, course::typed(tolerance), controlled.substeps,
       span, Value(controlled.error, 2));
@@ -162,7 +161,7 @@ void accuracy_as_the_input(Page& page) {
       R"(Could Baumgarte's method have a tolerance, too? Make a step once, and again as two of half its length, and
       compare. Of a gap C the one step leaves (1 − β)C and the two leave (1 − β)²C. They differ by β(1 − β)C, and there
       is no h in it. For β = @ and C = @ m the difference is @ m at h = 0.01 s and @ m at h = 0.00001 s. So no step is
-      short enough for a smaller tolerance: β per step has no limit as h goes to 0. RATTLE has one.)",
+      short enough for a smaller tolerance: a fixed β per step does not converge as h goes to 0; RATTLE does.)",
       beta, gap, Value(coarse, 3), Value(fine, 3));
   page.claim("Baumgarte: a step against its two halves, h = 0.01 s", coarse, "m",
              is(laws::difference_of_a_doubled_step(beta, gap), "β(1 − β)C", relative(1e-6)));

@@ -61,7 +61,8 @@ int main(int argc, char** argv) {
             R"(For the same row-solves, many short steps are more accurate than one step solved well; but each writes
             its rows anew, and that must be counted.)",
             "A run that falls or comes apart is cheap. It must stand or hold before its errors count.",
-            R"(A few bodies: one sweep a step is cheapest. Long or heavily loaded chains and columns: solve directly, or use
+            R"(A few bodies: one sweep a step is cheapest to 1 %; for less, generalised coordinates, or RK4 where they
+            close a loop. Long or heavily loaded chains and columns: solve directly, or use
             joint coordinates. Contacts with loops (pyramids): sweeps.)",
             "A model with more numbers than a scene needs gives the same motion for more bytes and more time."},
        .tries = {{"The heavy chain: what is cheapest for a millimetre?",

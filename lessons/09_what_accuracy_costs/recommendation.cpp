@@ -98,8 +98,8 @@ std::string reached_in_words(const byhand::Point& point, const std::map<Error, d
 
 std::string law_18(const LawLimit& limit, const Knobs& knobs) {
   const double worth = static_cast<double>(knobs.passes) * knobs.substeps * knobs.substeps;
-  return say("law 18: plain sweeps times substeps squared must exceed @; here it is @@", limit.number, worth,
-             limit.sweeps == 1       ? std::string(", so the law sets no limit")
+  return say("law 18: plain sweeps times substeps squared must exceed @; here they are @@", limit.number, worth,
+             limit.sweeps == 1       ? std::string(", so the law is met")
              : worth >= limit.sweeps ? std::string(", which is enough")
              : knobs.relaxation != 1 ? say(", which is enough with ω = @", Value(knobs.relaxation, 3))
                                      : std::string(", and it stood all the same"));
@@ -146,7 +146,7 @@ void show_errors(Page& page, const byhand::Point& best, const Problem& problem, 
   page.table({"error of this run", "how much", ""}, rows);
   if (!warnings.empty())
     page.text("**Warning:** it @, but is bad in: @. Set limits for these too if they matter.",
-              asked ? "keeps what you ask" : "has the least drift found", warnings);
+              asked ? "meets your limits" : "has the least drift found", warnings);
 }
 
 std::string runners_up(const byhand::Choice& choice, const std::map<Error, double>& limits) {
@@ -155,7 +155,7 @@ std::string runners_up(const byhand::Choice& choice, const std::map<Error, doubl
     const auto& [reached, point, excess] = choice.runners_up[i];
     if (!reached) continue;
     lines += say("\n- @: @ (×@)@", point.described(), cost_in_words(point),
-                 Value(point.cost / choice.best.point.cost, 2),
+                 Value(point.cost / choice.best.point.cost, point.cost < 2 * choice.best.point.cost ? 3 : 2),
                  limits.empty() ? say(", drift @", in_words(point[Error::drift], Error::drift)) : "");
   }
   return lines;
@@ -178,11 +178,11 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
   const std::string &stress = problem.scene().stress, name = in_prose(stress);
   if (std::isnan(choice.margin)) return "";
   if (std::isinf(choice.margin))
-    return say("It still holds with the largest @ that was tried, up to a thousand times as large.", name);
+    return say("It still holds at the largest @ that was tried, up to a thousand times the present one.", name);
   const auto& all = problem.scene().parameters;
   const std::string unit =
       std::find_if(all.begin(), all.end(), [&](const SceneParameter& one) { return one.name == stress; })->unit;
-  return say("It fails once @ reaches @@, @.", name, Value(choice.margin * problem[stress], 3),
+  return say("It fails once the @ reaches @@, @.", name, Value(choice.margin * problem[stress], 3),
              unit == "1"   ? ""
              : unit == "°" ? unit
                            : " " + unit,
@@ -205,9 +205,8 @@ std::string searched_in_words(const byhand::Choice& choice) {
 std::string certainty(const byhand::Choice& choice, const std::map<Error, double>& limits) {
   const Verification& verified = choice.verified;
   std::string text =
-      say("Verified: run for @ s from @ initial conditions, its own and others within a twentieth of it, "
-          "it @ in all.",
-          verified.seconds, verified.starts, limits.empty() ? "held" : "kept what you ask");
+      say("Verified: run for @ s from @ initial conditions, its own and others within 5 % of it, it @ in all.",
+          verified.seconds, verified.starts, limits.empty() ? "held" : "met your limits");
   text +=
       verified.certified()
           ? " So with 95 % confidence more than 95 % of such starts go well."
@@ -215,6 +214,13 @@ std::string certainty(const byhand::Choice& choice, const std::map<Error, double
                 "would take @ starts to say 95 %, and each is a long run.",
                 Value(100 * std::pow(0.05, 1.0 / verified.starts), 2), certain);
   return text + say(" @ runs were made; @.", choice.spent.runs, searched_in_words(choice));
+}
+
+/// The limit that a run comes nearest to.
+std::pair<Error, double> binding(const byhand::Point& run, const std::map<Error, double>& limits) {
+  const auto share = [&](const auto& one) { return run.has(one.first) ? run[one.first] / one.second : 0; };
+  return *std::max_element(limits.begin(), limits.end(),
+                           [&](const auto& a, const auto& b) { return share(a) < share(b); });
 }
 
 /// Where an error of rounding is drawn: at the next decade below the others and the limit.
@@ -233,13 +239,14 @@ double floor_of(const byhand::Choice& choice, Error error, double limit) {
 renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
                          const std::map<Error, double>& limits) {
   using namespace renderer;
-  const Error error = limits.empty() ? Error::drift : limits.begin()->first;
+  const auto [error, limit] =
+      limits.empty() ? std::pair{Error::drift, double{INFINITY}} : binding(choice.best.point, limits);
   Chart chart{.title = title_of(problem),
               .x = {.label = say("@@", std::string(name_of(error)),
                                  unit_of(error) == "1" ? "" : say(" (@)", std::string(unit_of(error)))),
                     .scale = Scale::logarithmic},
               .y = {.label = "cost (instructions per frame)", .scale = Scale::logarithmic}};
-  const double floor = floor_of(choice, error, limits.empty() ? INFINITY : limits.begin()->second);
+  const double floor = floor_of(choice, error, limit);
   const auto add = [&](const byhand::Point& point, const std::string& label) {
     if (!point.has(error)) return;
     chart.curves.push_back({.label = label,
@@ -257,8 +264,7 @@ renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
   if (another(choice.robust)) add(*choice.robust, "half: " + choice.robust->described());
   if (another(choice.finer)) add(*choice.finer, "a tenth: " + choice.finer->described());
   if (!limits.empty())
-    chart.references.push_back(
-        {.axis = renderer::Reference::Across::x, .value = limits.begin()->second, .label = "asked for"});
+    chart.references.push_back({.axis = renderer::Reference::Across::x, .value = limit, .label = "asked for"});
   if (std::any_of(chart.curves.begin(), chart.curves.end(), [=](const Curve& one) { return one.x[0] == floor; }))
     chart.references.push_back({.axis = renderer::Reference::Across::x, .value = floor, .label = "or less"});
   return chart;
@@ -279,9 +285,9 @@ void recommendation(Page& page, const Setting& setting) {
   const auto [problem, ignored] = problem_of(setting);
   const std::map<Error, double> limits = limits_of(setting);
   page.text(
-      R"(No chart answers for *your* scene, but the program does. It starts from the laws of lesson 8, which say how
-      many substeps or sweeps it takes at least. From there it runs every method with all its choices, and recommends
-      the cheapest run that keeps what you ask.)");
+      R"(No chart answers for *your* scene, but the program does. It starts from the laws of lesson 8, which give the
+      least number of substeps or sweeps. From there it runs every method with all its choices, and recommends
+      the cheapest run that meets your limits.)");
   for (const std::string& name : ignored)
     page.text("A @ has no @: the value that you set is ignored.", problem.scene().title, name);
   for (const auto& [error, limit] : limits)
@@ -304,8 +310,8 @@ void recommendation(Page& page, const Setting& setting) {
   const std::string within =
       by_clock ? say(" within @ µs a frame by this machine's clock", setting.budget() * 1e6) : "";
   page.text(limits.empty()
-                ? say("**You ask:** @. Which method has the least drift@?", description(problem), within)
-                : say("**You ask:** @. Which is the cheapest method with @@?", description(problem),
+                ? say("**You ask:** @. Which method has the least drift@?", in_prose(description(problem)), within)
+                : say("**You ask:** @. Which is the cheapest method with @@?", in_prose(description(problem)),
                       asked_for(limits), within));
 
   Search search;
@@ -379,8 +385,10 @@ void recommendation(Page& page, const Setting& setting) {
     const std::string caption =
         limits.empty()
             ? "The best run of each method within the time allowed."
-            : R"(The cheapest run of each method that keeps what was asked for, and runs that come near. Those
-                         left of the dotted line keep it.)";
+            : say(R"(The cheapest run of each method that meets the limits, and runs that come near. Left of “asked
+                  for”, a run meets the limit on its @@.)",
+                  std::string(name_of(binding(best, limits).first)),
+                  limits.size() > 1 ? ", the tightest one; the other errors are in the data" : "");
     if (by_clock)
       page.clocked("choice", caption, [=, p = problem] { return chart_of(choice, p, limits); });
     else
@@ -393,8 +401,8 @@ void recommendation(Page& page, const Setting& setting) {
                again.has(error) ? again[error] : INFINITY, std::string(unit_of(error)),
                is_at_most(limit, "asked for"), Condition{choice.reached, "targets that are reached"});
   }
-  page.claim("initial conditions from which it keeps what is asked", static_cast<double>(choice.verified.within),
-             "1", is(static_cast<double>(choice.verified.starts), "all of them", absolute(0)),
+  page.claim("initial conditions from which it meets the limits", static_cast<double>(choice.verified.within), "1",
+             is(static_cast<double>(choice.verified.starts), "all of them", absolute(0)),
              Condition{choice.reached, "targets that are reached"});
   page.text(
       R"(Ask again for your own scene: any scene of this lesson by name, one or more errors (`drift`, `trajectory`,

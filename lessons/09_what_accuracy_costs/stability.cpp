@@ -63,7 +63,7 @@ void stability(Page& page) {
   page.predict(
       {.ask =
            R"(Sideways the bobs are springs with frequencies ω. The direct solve is stable for ωh < 2 (lesson 8), RK4
-              for ωh < 2√2. Each at its longest stable step: how many times as much work is RK4, with four slopes a
+              for ωh < 2√2. Each at its longest stable step: how many times the work does RK4 take, with four slopes a
               step?)",
        .answer = dearer,
        .unit = "1",

@@ -88,20 +88,20 @@ void stable_is_not_accurate(Page& page) {
                   What happens to the energy mgL with which the bob starts, at one step a frame?)",
            problem.scene().duration),
        .options =
-           {{"it is kept within a few per cent",
-             say(R"(The positions are right, but the velocity comes from the chord between two of them, which is
-                                                     too short: @ % is left.)",
-                 Value(left, 2))},
-            {"about half of it is lost", say("More: every chord is too short, and @ % is left.", Value(left, 2))},
+           {{"it is kept within a few per cent", say("The positions are right, but the velocity is a chord that "
+                                                     "points out of the circle: @ % is left.",
+                                                     Value(left, 2))},
+            {"about half of it is lost", say("More: @ % is left.", Value(left, 2))},
             {"most of it is lost",
-             say(R"(In every step the velocity comes from a chord of the circle, which is shorter than the arc:
-                                       @ % is left.)",
+             say(R"(@ % is left. The velocity of a step is the chord just covered, which points out of the circle.
+                 The next projection takes the outward part away, and with it about (ωh)² of the speed.)",
                  Value(left, 2))}},
        .answer = left > 90   ? 0
                  : left > 40 ? 1
                              : 2,
-       .hints = {"From what does XPBD take the velocity?", "v = (x − x₀)/h, with x and x₀ on the circle",
-                 "A chord of the angle φ is 2R sin(φ/2) long, the arc Rφ."}});
+       .hints = {
+           "From what does XPBD take the velocity?", "v = (x − x₀)/h, with x and x₀ on the circle",
+           "A chord points outwards from the tangent at its end. What becomes of that part in the next step?"}});
   page.measure("XPBD, energy left", left, "%");
   const SimplePendulum exact(problem["angle"] * std::numbers::pi / 180, length, problem["gravity"]);
   std::vector<Swing> swings{
@@ -111,8 +111,9 @@ void stable_is_not_accurate(Page& page) {
   const double start = problem.start().energy();
   page.sequence(
       "stable_and_wrong",
-      R"(Three stable methods at one step a frame. Dashed: the true motion. Right: the change of energy. At the top,
-      XPBD's rod has the right length to rounding throughout.)",
+      say(R"(The first @ s of three stable methods at one step a frame. Dashed: the true motion. Right: the change of
+          energy. At the top, XPBD's rod has the right length to rounding throughout.)",
+          film_seconds),
       Seconds{film_seconds}, [=, chart = energies(swings, start)](renderer::Canvas& canvas, double time) mutable {
         for (Swing& swing : swings) swing.go_on(time, start);
         draw_swings(canvas, swings, chart, exact, length, time);

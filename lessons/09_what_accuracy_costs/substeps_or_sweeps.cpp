@@ -87,7 +87,7 @@ void substeps_or_sweeps(Page& page) {
       R"(That was at equal row-solves. But each substep also writes its rows anew, 64 times a frame instead of once:
       with that set-up @ × @ costs @ times as much as @ × @, and @ times as much for the same links in space, whose
       rows take more to write. The clock can differ either way: a sweep's rows wait for one another, which makes
-      sweeps dearer; set-up reads more memory, which makes substeps dearer. Both, over one step of @ sweeps:)",
+      sweeps dearer; set-up reads more memory, which makes substeps dearer. Here are count and clock, each over one step of @ sweeps:)",
       ways.back().first, ways.back().second, Value(over_one_step(counted[0].second).back(), 2), ways.front().first,
       ways.front().second, Value(over_one_step(counted[1].second).back(), 2), ways.front().second);
   page.clocked(
@@ -117,7 +117,7 @@ void substeps_or_sweeps(Page& page) {
           {{.when =
                 Quantity("error of one step solved exactly, over that of 64 substeps", exact / error.back()) > 1,
             .say = say(R"(One step cannot buy that with any number of sweeps: solved exactly, it is still @ m off
-                             (step 4a). So substeps win.)",
+                             (step 4a says why, on a double pendulum). So substeps win.)",
                        Value(exact, 2))}}));
 
   const Problem heavy("chain", {{"links", 50}, {"end_mass", 100}});

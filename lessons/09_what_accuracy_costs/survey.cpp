@@ -103,7 +103,10 @@ std::string failures(const Survey& survey) {
       good += point.outcome == Outcome::good;
       if (point.outcome == Outcome::refused) refused = &point;
       failed += point.outcome != Outcome::good && point.outcome != Outcome::too_slow;
-      if (point.outcome != Outcome::good) ++ends[std::string(name_of(point.outcome, survey.problem.scene().duty))];
+      if (point.outcome != Outcome::good)
+        ++ends[point.outcome == Outcome::too_slow
+                   ? "over the limit"
+                   : std::string(name_of(point.outcome, survey.problem.scene().duty))];
     }
     const std::string& name = runs.front().family->name;
     if (failed == 0) {

@@ -20,19 +20,20 @@ const std::vector<Recipe> recipes{
      R"(corrects *positions*. It lets the bodies move freely, moves them back until the constraints hold, and takes the
      velocities from the distances covered.)",
      {"Move freely: v ← v₀ + hg, x ← x₀ + hv.", "Start every Λ at 0.",
-      "For each constraint, at its present C: ΔΛ = −(C + γΛ)/(JM⁻¹Jᵀ + γ).", "Correct at once: x ← x + M⁻¹Jᵀ ΔΛ.",
-      "Read the velocity: v ← (x − x₀)/h."},
+      "For each constraint, at its present C: ΔΛ = −(C + γΛ)/(JM⁻¹Jᵀ + γ), γ = 1/(kh²) of a spring k, 0 if hard.",
+      "Correct at once: x ← x + M⁻¹Jᵀ ΔΛ.", "Read the velocity: v ← (x − x₀)/h."},
      "substeps, with one pass over the constraints in each",
-     R"(It holds rods, joints and contacts, and is stable at every step.)"},
+     R"(It holds rods, joints and contacts; joints are stable at every step.)"},
     {"AVBD",
      "augmented vertex block descent, C. Giles and others, 2025",
      R"(minimises, *body by body*, the energy of a step of implicit Euler, in which each constraint is a spring of
      stiffness κ plus a force Λ that makes up for what the spring lacks.)",
      {"Free motion: y = x₀ + h(v₀ + hg).",
-      "For each body, with F = Λ − κC and G for the curvature of C: (M + Σ κJᵀJ + G) Δx = −M(x − y) + Σ JᵀF.",
-      "After each round over the bodies: Λ ← Λ − κC, and a larger κ where C is not zero.",
+      "For each body, with F = Λ − κ(C − αC₀) and G for the curvature of C: (M/h² + Σ κJᵀJ + G) Δx = −M(x − y)/h² "
+      "+ Σ JᵀF.",
+      "After each round over the bodies: Λ ← F, and a larger κ where C is not zero.",
       "Repeat for a number of rounds (iterations).", "Read the velocity: v ← (x − x₀)/h."},
-     "iterations; α is the share of an old error that a step leaves",
+     "iterations; α, the share of the old error C₀ that a step leaves",
      R"(It holds rods, joints and contacts, hard ones and very soft ones. Momentum is kept only as far as the rounds
      have converged, and an effect spreads by only a few bodies a round. κ is two things at once: the stiffness of the
      material, and the penalty of the iteration, whose start and growth decide whether it converges. With all masses

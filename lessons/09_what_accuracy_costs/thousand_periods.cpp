@@ -86,7 +86,7 @@ void thousand_periods(Page& page) {
              kept[1].change.back() / kept[1].change.front(), "1",
              is_at_least(10, "its forces hold C̈ = 0 only, so C and the energy leave in the end"));
   page.claim("XPBD: change of energy at the end", kept[4].change.back(), "1",
-             is_at_least(0.9, "each chord is too short: it comes to rest"));
+             is_at_least(0.9, "each projection takes speed away: it comes to rest"));
 }
 
 }  // namespace byhand::accuracy
