@@ -1,5 +1,5 @@
-// No grade depends on the seed: what is right is right with any, and every change of a solution is found with any (a
-// quarter of the changes, but in the long run).
+// No grade depends on the seed: what is right is right with any, and every change of a solution is found with any
+// (a quarter of the changes, but in the long run).
 
 #include <dlfcn.h>
 #include <fcntl.h>
