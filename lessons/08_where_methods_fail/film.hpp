@@ -54,6 +54,8 @@ class Film {
   course::Condition holds(int take) const { return ended(take, End::holds); }
   /// "falls after 2.4 s", "still leans further" or "stands".
   std::string fate(int take) const;
+  /// When it failed, or how long it ran [s].
+  double ended_after(int take) const { return fails_at_[take]; }
   /// What its gauge says at the end.
   double last(int take) const { return last_[take]; }
   course::FrameDrawing drawing() const;

@@ -48,7 +48,7 @@ struct ModeFilm {
     canvas.box({x, 0}, {side, side}, 0);
     pictures::draw_growing(canvas, {now.x, 0.34 * reach}, {-0.25 * omega_h * omega_h * now.x, 0}, pulled,
                            {palette::force, 4});
-    pictures::draw_growing(canvas, {now.x, -0.34 * reach}, {next.way, 0}, moved, {palette::velocity, 4});
+    pictures::draw_growing(canvas, {now.x, -0.34 * reach}, {0.25 * next.way, 0}, moved, {palette::velocity, 4});
     Chart grown = sizes;
     grown.until = static_cast<double>(step) + moved;
     renderer::draw(canvas, grown, below);
@@ -86,8 +86,8 @@ void growing_mode(Page& page) {
   page.sequence(
       "growing_mode",
       say(R"(Four steps of a mass on an undamped explicit spring, ωh = @, slowed down to @ s. Each multiplies x by z
-                    = @, a root of z² − (2 − ω²h²)z + 1 = 0. Orange: h²ω²x, by which the pull changes hv, drawn a quarter as long;
-                    green: hv after it.)",
+                    = @, a root of z² − (2 − ω²h²)z + 1 = 0. Orange: h²ω²x, by which the pull changes hv; green: hv after it; both
+                    drawn a quarter as long.)",
           omega_h, film.seconds(), Value(z, 4)),
       Seconds{film.seconds()},
       [shown = ModeFilm{film, run, sizes}](Canvas& canvas, double time) { shown.draw(canvas, time); });

@@ -50,7 +50,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
   for (int k = 1; k <= 17; ++k) limits.push_back(laws::heaviest_top(k, pair_beta));
   const auto boundary = [&](double k) { return limits[std::min(17, static_cast<int>(std::lround(k)))]; };
   page.figure("mass_and_sweeps",
-              say("Each cell is one run of two boxes, β = @; one “flies off” if it gets a box's height away. "
+              say("Each cell is one run of two boxes, β = @. A box “flies off” if it rises a box's height. "
                   "Dashed: the law.",
                   pair_beta),
               chart(map, say("r of law 9 at β = @", pair_beta), boundary,

@@ -27,7 +27,7 @@ void many_contacts(const Setting& setting, Page& page) {
       diagonal.)",
       contacts, Value(mu, 3));
   page.predict(
-      {.ask = "By which number does one iteration of Jacobi multiply this error? (Mind the sign.)",
+      {.ask = "By what factor does one Jacobi iteration multiply this error? (Mind the sign.)",
        .answer = 1 - mu,
        .unit = "1",
        .tolerance = 0.05,

@@ -68,8 +68,8 @@ void overshoots(const Setting& setting, Page& page) {
   page.text(
       R"(One row solved exactly is stable for every β below 2 (lesson 4). A chain of @ links, solved by @ a step from a
       warm start, is another matter. Each step begins with all of the last step's λ, which contains the last step's
-      correction. The sweeps should remove it again, but of the slowest wave they leave q = cos²ᵏ(π/2N) = @, and this share is
-      applied again.)",
+      correction. The sweeps should remove it again, but they leave a share q = cos²ᵏ(π/2N) = @ of the slowest wave, and
+      that share is applied again.)",
       links, several(sweeps, "sweep"), Value(q, 3));
   const double here = beta_that_rings(links, sweeps), twice = beta_that_rings(2 * links, sweeps);
   if (limit_of_beta(2 * links, sweeps) < 1.9)
@@ -148,7 +148,7 @@ void overshoots(const Setting& setting, Page& page) {
       map, [links](double k) { return limit_of_beta(links, k); }, Settles::below);
   const double needed = std::log(1 / 1.2) / std::log(slowest);  // sweeps at which the limit is 0.2
   page.text(
-      R"(@ The article's range of β, 0.1 to 0.3, is a horizontal band across this map: with @ links, β = 0.2 needs at
+      R"(@ The article takes β from 0.1 to 0.3: with @ links, β = 0.2 needs at
       least @ a step.)",
       agreed.sentence(), links, several(std::lround(std::ceil(needed)), "sweep"));
   page.text(

@@ -83,7 +83,8 @@ void regimes(const Setting& setting, Page& page) {
       R"(Seven numbers tell, before a scene runs, which law it will meet. T is the tension, m and l are the mass and
       length of a link; N boxes have height a and width w; k is the number of sweeps a step, K the stiffness of a
       contact; ρ is the share that a sweep leaves (of a chain cos²(π/2N)); h is the step. The examples take this
-      lesson's parameters, and each was run.)");
+      lesson's parameters, and each was run. Their limits are for their own N; *stay below* is for many links or
+      boxes.)");
   std::vector<std::vector<std::string>> rows;
   int decided = 0, right = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -127,11 +127,16 @@ void too_few_iterations(const Setting& setting, Page& page) {
           several(boxes, "box", "boxes"), 0.02, stacks.hurry(), several(sweeps, "sweep"), stacks.fate(0),
           stacks.fate(1), stacks.fate(2), stacks.last(2) < 1e-5 ? " (solved directly: below the chart)" : ""),
       Seconds{stacks.seconds()}, stacks.drawing());
-  const Quantity made("sweeps", sweeps), needed("sweeps of the law", law);
+  const Quantity made("sweeps", sweeps), needed("sweeps of the law", law),
+      one_fold("1/σ", std::sqrt(boxes / (1.571 * gravity)));
   page.text(
       "The law asks for @ sweeps here. @", Value(law, 3),
       page.verdict(
-          {{.when = stacks.fails(0),
+          {{.when = both(stacks.fails(0), Quantity("seconds until it falls", stacks.ended_after(0)) < one_fold),
+            .say = say(R"(With @ the rows are so poorly solved that the stack falls within 1/σ = @ s, before a lean
+                       could grow: the law is about slower falls.)",
+                       sweeps, Value(one_fold.value, 2))},
+           {.when = stacks.fails(0),
             .say = say("With @ the stack leans further and further until it falls.", sweeps)},
            {.when = stacks.drifts(0),
             .say = say("With @ the stack leans further and further, but takes more than these @ s to fall.",
@@ -148,7 +153,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
                   });
   });
   page.figure("boxes_and_sweeps",
-              say("Each cell is one run of a column after a slight push. Dashed: the law.@", on_ringing(map)),
+              say("Each cell is one run of a column after a push of 10⁻⁷ m/s. Dashed: the law.@", on_ringing(map)),
               chart(
                   map, "(σh)² = (1 − q)/q, about 0.763 gh²N³/a", [](double n) { return sweeps_to_stand(n); },
                   stack_outcomes));
@@ -164,7 +169,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
       R"(**Which knob?** More sweeps, but their number grows with N³. Substeps are cheaper: with h/4, (σh)² is a
       sixteenth, so 4 substeps of one sweep hold what takes @ sweeps of a whole step. Conjugate sweeps, which combine
       each sweep with the direction of the last as conjugate gradients do (lesson 9), reach slow errors sooner. @ And
-      a *direct solve* leaves no error that could creep: the top box above has moved @ m.)",
+      a *direct solve* leaves no error that could creep: the top box above ends @ m from where it began.)",
       Value(cut / whole, 2), with_conjugate_sweeps,
       stacks.last(2) < 1e-11 ? "less than 10⁻¹¹" : course::number(stacks.last(2), 2));
   page.text(

@@ -69,9 +69,10 @@ std::string seen(Page& page, const Film<PlaneParticle>& chains, double end_mass,
   if (!chains.failed(0) || !chains.failed(1)) return fate;
   return say("@ @", fate,
              page.verdict({{.when = chains.holds(2),
-                            .say = say("4 substeps hold it: they bear @ kg.", Value(limit_of_substeps, 3))},
+                            .say = say("4 substeps hold it: their limit is @ kg.", Value(limit_of_substeps, 3))},
                            {.when = chains.fails(2),
-                            .say = say("4 substeps break too: they bear @ kg.", Value(limit_of_substeps, 3))}}));
+                            .say = say("With 4 substeps it breaks too: their limit is @ kg.",
+                                       Value(limit_of_substeps, 3))}}));
 }
 
 }  // namespace

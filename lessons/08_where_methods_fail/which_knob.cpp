@@ -103,7 +103,7 @@ void which_knob(const Setting&, Page& page) {
       times, parts, stiffer);
   page.choose(
       {.ask = say(
-           R"(@ substeps, each of as many sweeps, cure the leaning stack and the taut chain. Do they cure the chain
+           R"(@ substeps, each with the full number of sweeps, cure the leaning stack and the taut chain. Do they cure the chain
                   that rings from its warm start?)",
            parts),
        .options = {{"yes", "They would if the limit of β grew as h shrinks."},
@@ -148,7 +148,8 @@ void which_knob(const Setting&, Page& page) {
       R"(@ So look first, then turn.
 
       - Does it *give way slowly*, always in one direction? Then more sweeps, substeps, or a direct solve.
-      - Does it *ring*? Then less correction, or a correction that λ does not remember, or a direct solve.
+      - Does it *ring*, and does a smaller β calm it? Then that, or a correction that λ does not remember, or a direct
+        solve. If not, try the other lines: near their limits stacks and taut chains ring too.
       - Do *more sweeps change nothing*? Then a shorter step, or stiffer contacts.
       - Is it *calm* while λ grows, or has a direct solve no solution? Then look at the rows.)",
       page.verdict(

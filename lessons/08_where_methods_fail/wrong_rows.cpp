@@ -97,7 +97,7 @@ void wrong_rows(const Setting& setting, Page& page) {
   const double borne = strength / (mass * gravity);
   const ConflictingRods rigid = rods(conflict, 0);
   const double half = tug(rigid, seconds / 2) / (mass * gravity), whole = tug(rigid, seconds) / (mass * gravity),
-               moved = laws::bob_moves(rigid, seconds);
+               rate = (whole - half) / (seconds / 2), moved = laws::bob_moves(rigid, seconds);
 
   page.text(
       R"(**Symptom of the fifth family:** *the picture is calm*, and a number that nobody looks at is wrong. λ grows
@@ -105,27 +105,29 @@ void wrong_rows(const Setting& setting, Page& page) {
       The rows are solved well, in short steps, but they are the wrong rows. They are redundant, contradict each
       other, come in the wrong order, or belong to where the bodies were a moment ago.)");
   page.text(
-      R"(Two rods hold one bob of @ kg between the same two points, and one is @ m longer than the other. No λ
-      satisfies both. In each step each rod asks for β/h of its own error and so undoes the other's correction; the
+      R"(Two rods hold one bob of @ kg between the same two points, and one is Δ = @ m longer than the other. This
+      scene takes k = @ warm sweeps a step and β = @, whatever the parameters. No λ satisfies both. In each step each rod asks for β/h of its own error and so undoes the other's correction; the
       warm start adds all this up. The picture stays calm: in @ s the bob moves by @ m at most.)",
-      mass, setting.conflict, seconds, Value(moved, 2));
+      mass, setting.conflict, rigid.sweeps, rigid.beta, seconds, Value(moved, 2));
   page.predict(
-      {.ask = say(
-           R"(After @ s the rods pull against each other with @ times the weight of the bob. With how many times its
-           weight do they pull after @ s?)",
-           seconds / 2, Value(half, 3), seconds),
-       .answer = whole,
-       .unit = "1",
-       .tolerance = 0.1 * whole,
+      {.ask =
+           say(R"(By how many weights of the bob does the pull of the rods against each other grow in a second, at
+                @ steps a second?)",
+               std::lround(1 / rigid.step)),
+       .answer = rate,
+       .unit = "1/s",
+       .tolerance = 0.05 * rate,
        .wrong =
-           {{half,
+           {{0,
              R"(The bob is calm, but λ is not: each rod corrects the other's correction, and the warm start adds
                            it all up.)"},
-            {4 * half, "The growth does not feed on itself: every step adds the same amount."}},
-       .hints = {"The bob stays where it is. What does each step add to λ?",
-                 "A step of k sweeps adds 2kmβΔ/h to the difference of the two λ, whatever they are.",
-                 say("@ · @/@ = …", Value(half, 3), seconds, seconds / 2)},
-       .right = "Every step adds the same amount, so the pull grows in proportion to time, without end."});
+            {rate / rigid.sweeps, "That is what one sweep of each step adds."},
+            {2 * rate, "So grows the difference of the two pulls; each rod pulls with half of it."}},
+       .hints = {"The bob stays where it is. What does a sweep add to each λ?",
+                 "A sweep adds mβΔ/h to one λ and takes it from the other; there are k sweeps a step.",
+                 "The pull is λ/h and the weight mg, with 1/h steps a second: kβΔ/(gh³)"},
+       .hinted = rigid.sweeps * rigid.beta * conflict / (gravity * rigid.step * rigid.step * rigid.step),
+       .right = say("kβΔ/(gh³), without end: after @ s, @ times the bob's weight.", seconds, Value(whole, 3))});
   page.figure(
       "two_rods",
       say(R"(The pull against each other of two rods that differ by @ m: rigid, and soft, with γ as a fraction of

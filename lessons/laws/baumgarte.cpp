@@ -62,7 +62,7 @@ Law one_row() {
   Law law{1,
           Family::overshooting_correction,
           "drift correction of one row",
-          "a correction of more than the error overshoots; of more than twice the error, the error grows",
+          "correcting more than the error overshoots; correcting more than twice the error makes it grow",
           "β < 2; read literally β < 2/h; spinning C/L = (ωh)²/2β",
           {}};
   law.boundaries.push_back(bisected({"β", "", "per step", 2, 0.01, {}, [](double beta) {
@@ -90,7 +90,7 @@ Law uncorrected_drift() {
           "R = R₀ (1 + 2 v₀² h t/R₀²)^¼",
           {}};
   for (const auto& [speed, rate] : {std::pair{1, 60}, {3, 60}, {10, 60}, {30, 60}, {30, 240}})
-    law.boundaries.push_back({"R/R0 after 1 s", "", fmt::format("{} m/s on 1 m, {} Hz", speed, rate),
+    law.boundaries.push_back({"R/R₀ after 1 s", "", fmt::format("{} m/s on 1 m, {} Hz", speed, rate),
                               drifted_radius(1, speed, 1.0 / rate, 1), 0.01,
                               [speed = speed, rate = rate] { return spread(speed, 1.0 / rate); }});
   return law;

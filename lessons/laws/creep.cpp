@@ -89,7 +89,7 @@ double regularisation_that_holds(int boxes, double step) {
 
 Law exact_columns() {
   Law law{20,
-          Family::too_few_iterations,
+          Family::too_soft,
           "exact solution of a stack",
           "solved exactly, a column stands at any friction; regularisation topples it",
           "r < 1.236/(σ²h²N⁴)",

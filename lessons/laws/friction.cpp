@@ -56,7 +56,7 @@ Law friction() {
           {}};
   const double degree = std::numbers::pi / 180;
   for (const double speed : {1.0, 3.0, 10.0})
-    law.boundaries.push_back({"way to stop, square", "of the disc's", fmt::format("45°, {} m/s", speed),
+    law.boundaries.push_back({"stopping distance, square / disc", "", fmt::format("45°, {} m/s", speed),
                               std::numbers::sqrt2 * way_to_stop(speed / std::numbers::sqrt2) / way_to_stop(speed),
                               0.01, [=] {
                                 return slide(FrictionBound::square, 45 * degree, speed).distance /

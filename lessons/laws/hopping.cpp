@@ -56,16 +56,15 @@ Law heavy_on_light() {
   Law law{9,
           Family::too_few_iterations,
           "heavy on light",
-          "with k warm sweeps a box does not settle on one too light: at β = 0.2 and large k, on one lighter than "
-          "a 3k-th of it",
+          "with k warm sweeps a heavy box does not settle on one that is much lighter",
           "M/m < c(β, k), about 3k at β = 0.2 for large k (2.66 at k = 1)",
           {}};
   for (const double beta : {0.1, 0.2, 0.5})
     for (const int sweeps : {1, 2, 4, 8}) {
       const double heaviest = heaviest_top(sweeps, beta);
       law.boundaries.push_back(
-          {"heaviest that settles", "of the lower", fmt::format("β {}, {}", beta, counted(sweeps, "sweep")),
-           heaviest, 0.05, [=] {
+          {"heaviest upper box / lower box", "", fmt::format("β {}, {}", beta, counted(sweeps, "sweep")), heaviest,
+           0.05, [=] {
              double mass = 1.3 * heaviest;
              while (hop({.boxes = 2, .sweeps = sweeps, .beta = beta, .top_mass = mass, .steps = 10'000}) !=
                     Outcome::settles)

@@ -58,7 +58,7 @@ Law conflicting_rows() {
           Family::wrong_rows,
           "conflicting rows",
           "rows that contradict each other build up λ without bound, while the bodies hardly move",
-          "λ grows by 2kmβΔ/h² a second; with softness |λ₁ − λ₂| = βΔ/(hγ)",
+          "|λ₁ − λ₂| grows by 2kmβΔ/h² a second; with softness it ends at βΔ/(hγ)",
           {}};
   for (const ConflictingRods& rods :
        {ConflictingRods{}, {.conflict = 0.01}, {.beta = 0.05}, {.sweeps = 1}, {.step = 1.0 / 240}}) {

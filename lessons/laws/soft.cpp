@@ -133,8 +133,8 @@ Law substeps() {
           "C(n substeps)/C = 1/n²; C(many sweeps)/C(exact) = 1",
           {}};
   for (const int n : {16, 32})
-    law.boundaries.push_back({"stretch", "of that with 8 substeps", fmt::format("5 links, exact, {} substeps", n),
-                              square(8.0 / n), 0.08,
+    law.boundaries.push_back({"stretch / stretch with 8 substeps", "",
+                              fmt::format("5 links, exact, {} substeps", n), square(8.0 / n), 0.08,
                               [=] { return stretch_with_substeps(n) / stretch_with_substeps(8); }});
   law.boundaries.push_back(
       {"stretch", "of that of the exact solve", "5 links, 300 sweeps", 1, 0.01, [] {
@@ -161,12 +161,12 @@ Law stale_rows() {
           "v = v₀ (1 + v₀² h t/R²)^−½; refreshed v = v₀",
           {}};
   for (const auto& [speed, rate] : {std::pair{1, 60}, {3, 60}, {10, 60}, {10, 240}})
-    law.boundaries.push_back({"speed after 1 s", "of the first",
+    law.boundaries.push_back({"speed after 1 s / initial speed", "",
                               fmt::format("stale, {} m/s on 1 m, {} Hz", speed, rate),
                               1 / std::sqrt(1 + square(speed) / rate), 0.02,
                               [speed = speed, rate = rate] { return speed_left(speed, 1.0 / rate, false); }});
   for (const int speed : {1, 3})
-    law.boundaries.push_back({"speed after 1 s", "of the first",
+    law.boundaries.push_back({"speed after 1 s / initial speed", "",
                               fmt::format("refreshed, {} m/s on 1 m, 60 Hz", speed), 1, 0.02,
                               [=] { return speed_left(speed, 1.0 / 60, true); }});
   return law;

@@ -153,7 +153,7 @@ Law block_or_rows() {
           Family::too_few_iterations,
           "block or rows",
           "rows that are nearly dependent have to be solved as one block",
-          "row by row β < (1 − q)/q, q = (A₁₂/A₁₁)²ᵏ; as a block β < 2",
+          "row by row β < (1 − q)/q as in law 6, q = (A₁₂/A₁₁)²ᵏ; as a block β < 2",
           {}};
   const auto add = [&](std::string setting, const LongArm& box, double limit) {
     law.boundaries.push_back(

@@ -44,7 +44,7 @@ Law tunnelling() {
   Law law{16,
           Family::too_large_a_step,
           "tunnelling",
-          "a body that moves farther in a step than its contacts are found passes through a wall",
+          "a body that moves farther in one step than a contact can be found may pass through a wall",
           "v h < r + margin + w/2",
           {}};
   for (const FlyingBalls& balls :
