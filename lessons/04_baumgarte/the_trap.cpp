@@ -222,7 +222,7 @@ void the_trap(const Setting& setting, Page& page) {
       return std::string("grow until the chain breaks up");
     if (a_step >= 1) return std::string("grow");
     const double last = curve.y.back();
-    if (std::isnan(last)) return std::string("become smaller than 10⁻⁵ L");
+    if (std::isnan(last)) return std::string("fall below 10⁻⁵ L");
     return say(last > HangingChain::start_error ? "end at @ L (it sags)" : "come down to @ L", Value(last, 2));
   };
   const std::string of_cold = ends(film.beside.curves[0], cold), of_warm = ends(film.beside.curves[1], growth);
