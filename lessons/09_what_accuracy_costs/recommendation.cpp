@@ -239,8 +239,10 @@ double floor_of(const byhand::Choice& choice, Error error, double limit) {
 renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
                          const std::map<Error, double>& limits) {
   using namespace renderer;
-  const auto [error, limit] =
+  const auto binds =
       limits.empty() ? std::pair{Error::drift, double{INFINITY}} : binding(choice.best.point, limits);
+  const Error error = binds.first;
+  const double limit = binds.second;
   Chart chart{.title = title_of(problem),
               .x = {.label = say("@@", std::string(name_of(error)),
                                  unit_of(error) == "1" ? "" : say(" (@)", std::string(unit_of(error)))),
