@@ -12,7 +12,7 @@ const puppeteer = require('puppeteer-core');
 export const axe = require.resolve('axe-core/axe.min.js');
 
 export const site = resolve(process.env.BYHAND_SITE);
-export { drawn, quick } from '../live/drawn.mjs';
+export const quick = !!process.env.BYHAND_QUICK;
 // Those that are live: lesson 10 needs engines that no browser has.
 export const lessons = readdirSync(join(site, 'live')).filter(name => /^\d\d_.*\.js$/.test(name)).map(name => name.slice(0, -3)).sort();
 export const pages = readdirSync(site).filter(name => name.endsWith('.html')).sort();

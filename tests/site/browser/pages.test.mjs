@@ -5,13 +5,11 @@ import { readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 
-import { axe, drawn, lessons, live, open, pages, quick, quit, serve, site, url } from './browser.mjs';
+import { axe, lessons, live, open, pages, quick, quit, serve, site, url } from './browser.mjs';
 
 after(quit);
 
-const tried = drawn(pages, 3);
-
-for (const page of tried)
+for (const page of pages)
   test(`${page} loads from the disk without a complaint, and asks for nothing outside the site`, async () => {
     const asked = [];
     const tab = await open(url(page), { before: tab => tab.on('request', request => asked.push(request.url())) });
@@ -63,7 +61,7 @@ test('a strict content security policy stops nothing', async () => {
   server.close();
 });
 
-for (const page of tried)
+for (const page of pages)
   test(`${page} is complete without JavaScript`, async () => {
     const tab = await open(url(page), { script: false });
     assert.deepEqual(tab.complaints, []);
@@ -84,7 +82,7 @@ for (const page of tried)
     await tab.close();
   });
 
-for (const page of tried)
+for (const page of pages)
   for (const width of [360, 768, 1440])
     test(`${page} needs no horizontal bar at ${width} pixels`, async () => {
       const tab = lessons.includes(page.slice(0, -5)) ? await live(page.slice(0, -5), { width }) : await open(url(page), { width });
@@ -94,7 +92,7 @@ for (const page of tried)
     });
 
 // Of the figures that are drawn in the page: the least height of a letter of 15 points, and those that keys cannot scroll.
-for (const page of tried)
+for (const page of pages)
   for (const width of [360, 768, 1280, 1440])
     test(`${page} has letters of 11 pixels in its figures at ${width} pixels, and keys reach what is out of sight`, async () => {
       const tab = await open(url(page), { width });
@@ -109,7 +107,7 @@ for (const page of tried)
     });
 
 // A phone's page has pictures of its own; only tables of small letters scroll, and say so.
-for (const page of tried)
+for (const page of pages)
   test(`at 390 × 844 ${page} hides nothing of its figures, formulas and listings, and its header is one row`, async () => {
     const tab = await open(url(page), { width: 390, height: 844 });
     await tab.evaluate(() => byhandLayout.done);

@@ -1,5 +1,5 @@
 // The lessons in WebAssembly say what the native program says, byte for byte: texts, formulas, numbers, claims, pictures,
-// grades. BYHAND_PROGRAMS: folder of the native programs told_*; BYHAND_WASM: of the .wasm.
+// grades. BYHAND_PROGRAMS: folder of the native programs told_*; BYHAND_WASM: of the .wasm. BYHAND_QUICK: some of it.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
@@ -7,10 +7,9 @@ import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { test } from 'node:test';
 
-import { quick } from './drawn.mjs';
 import { lesson } from './lesson.mjs';
 
-const { BYHAND_PROGRAMS: programs, BYHAND_WASM: modules } = process.env;
+const { BYHAND_PROGRAMS: programs, BYHAND_WASM: modules, BYHAND_QUICK: quick } = process.env;
 const slugs = readdirSync(modules).filter(name => /^\d\d_.*\.wasm$/.test(name)).map(name => name.slice(0, -5)).sort();
 assert.ok(slugs.length > 0, `${modules} holds no lessons`);
 
