@@ -13,8 +13,8 @@
 namespace byhand::accuracy {
 namespace {
 
-constexpr std::size_t shown = 4;                       // runners-up
-constexpr double finest_drift = 1e-9, finest = 1e-11;  // of drift [m] and of other errors: less is rounding
+constexpr std::size_t shown = 4;  // runners-up
+constexpr double finest = 1e-11;  // of errors other than drift: less is rounding
 
 /// The scene that is asked about, and what was set that it does not have.
 struct Asked {

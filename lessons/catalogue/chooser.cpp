@@ -197,8 +197,6 @@ int starts_of(const Problem& problem, const Wish& wish, double cost, const Searc
   return std::clamp(static_cast<int>(search.verification / work), std::min(4, search.starts), search.starts);
 }
 
-constexpr double rounding = 1e-9;  // drift below which no more is told apart [m]
-
 double budget_of(const Wish& wish, const Family& family) { return wish.budget ? wish.budget(family) : INFINITY; }
 
 /// The cheaper of two that reach a wish; without limits the more accurate.
@@ -217,7 +215,7 @@ Candidate most_accurate(const Problem& problem, const Family& family, const Wish
   for (const Point& point : runs.points()) {
     const bool reached = point.has(Error::drift) && point.cost <= budget_of(wish, family);
     // What is beyond rounding in none is the same in all, and the cheapest is the best.
-    const Candidate now{reached, point, reached ? std::max(point[Error::drift], rounding) : INFINITY};
+    const Candidate now{reached, point, reached ? std::max(point[Error::drift], finest_drift) : INFINITY};
     if (!best.point.family || preferred(now, best, wish)) best = now;
   }
   return best;

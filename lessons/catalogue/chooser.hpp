@@ -35,6 +35,8 @@ struct Candidate {
   double excess = INFINITY;  // the largest error over its limit
 };
 
+inline constexpr double finest_drift = 1e-9;  // [m]: less is rounding, and no more told apart
+
 /// As many starts have to keep a wish, all of them, before more than 95 % of such starts do with 95 % confidence:
 /// 0.95⁵⁹ < 0.05.
 inline constexpr int certain = 59;
