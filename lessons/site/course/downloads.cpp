@@ -50,7 +50,7 @@ std::string answer_key(const fs::path& site, const std::vector<Digest>& lessons)
        .content = "<h1>Answers</h1>\n<p class=\"summary\">Hints and the answer to every question of the lessons, "
                   "with the parameters that the pages begin with. Delete this file, "
                   "<code>answers.html</code>, from a site for students, or write the site with "
-                  "<code>--without-answers</code>.</p>\n" +
+                  "<code class=\"whole\">--without-answers</code>.</p>\n" +
                   all,
        .exercises = has_exercises(site)});
 }

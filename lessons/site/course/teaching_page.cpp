@@ -148,15 +148,16 @@ no lesson derives. All are judged with probes; frequent wrong derivations get th
 ./lessons/run practise --export classroom50 --to FOLDER
 ./lessons/run practise --export prairielearn --to FOLDER
 ./lessons/run practise --export junit --to FOLDER</code></pre>
-<p>write a judge without solutions, with probes of your own <code>--seed</code>. What learners get with each exercise and the
-predictions as a quiz are ready <a href="#downloads">to download</a>.</p>
+<p>write a judge without solutions, with probes of your own <code class="whole">--seed</code>. What learners get with each
+exercise and the predictions as a quiz are ready <a href="#downloads">to download</a>.</p>
 </section>
 <section id="rebuilding">
 <h2>Rebuilding</h2>
 <pre><code>./lessons/run site</code></pre>
 <p>writes the site anew from the checkout. Apart from charts of measured running times, the same commit gives the same bytes;
 <code>manifest.json</code> lists the commit and the SHA-256 of each file. The slides stand on reveal.js, which npm fetches once;
-without npm they are left out, as with <code>--without-slides</code>, and <code>--without-answers</code> leaves out the key.</p>
+without npm they are left out, as with <code class="whole">--without-slides</code>, and
+<code class="whole">--without-answers</code> leaves out the key.</p>
 </section>
 <section id="licence">
 <h2>Licence and citation</h2>
