@@ -96,39 +96,42 @@ std::string reached_in_words(const byhand::Point& point, const std::map<Error, d
   return text;
 }
 
+/// What law 18 asks of plain sweeps, and what this run has.
 std::string law_18(const LawLimit& limit, const Knobs& knobs) {
   const double worth = static_cast<double>(knobs.passes) * knobs.substeps * knobs.substeps;
-  return say("law 18: plain sweeps times substeps squared must exceed @; here they are @@", limit.number, worth,
-             limit.sweeps == 1       ? std::string(", so the law is met")
-             : worth >= limit.sweeps ? std::string(", which is enough")
-             : knobs.relaxation != 1 ? say(", which is enough with ω = @", Value(knobs.relaxation, 3))
-                                     : std::string(", and it stood all the same"));
+  return say("Law 18: sweeps × substeps² must exceed @; here that is @@", limit.number, worth,
+             limit.sweeps == 1 || worth >= limit.sweeps ? std::string()
+             : knobs.relaxation != 1                    ? say(", enough with ω = @", Value(knobs.relaxation, 3))
+                                                        : std::string(", and the stack stood all the same"));
+}
+
+/// What the scene's law says of it.
+std::string by_law(const LawLimit& limit, const byhand::Point& best) {
+  if (limit.law == 7)
+    return limit.substeps == 1
+               ? say("Law 7 alone would allow one step a frame (@, where 1 is the limit)", limit.number)
+               : say("Law 7 estimates @ (@ at one step a frame, where 1 is the limit)@",
+                     several(limit.substeps, "substep"), limit.number,
+                     best.knobs.substeps < limit.substeps ? "; the run held with fewer" : "");
+  if (limit.law == 18)
+    return best.family->exact
+               ? say("Law 18 asks sweeps for more than @; by law 20 an exact solve holds any column", limit.number)
+               : law_18(limit, best.knobs);
+  if (limit.law == 13)
+    return say("Law 13: at one step a frame it turns by @ a step, and the error grows with that angle",
+               limit.number);
+  return "No law of lesson 8 limits this scene; the answer was found by runs alone";
 }
 
 /// Why the recommended run is not cheaper, by its law's number and by runs.
 std::string why(const byhand::Choice& choice, const std::map<Error, double>& limits) {
-  const LawLimit& limit = choice.limit;
-  const Knobs& knobs = choice.best.point.knobs;
-  std::string text;
-  if (limit.law == 7)
-    text = say("law 7: @ at one step a frame, where 1 is the limit, so by that law @", limit.number,
-               limit.substeps == 1 ? std::string("one step would do")
-                                   : say("it takes about @ substeps to hold", limit.substeps));
-  else if (limit.law == 18)
-    text = choice.best.point.family->exact
-               ? say("law 18: @ sweeps in a step of a frame@; law 20: an exact solve holds any column",
-                     limit.number, limit.sweeps == 1 ? ", which any number satisfies" : " or more would do")
-               : law_18(limit, knobs);
-  else if (limit.law == 13)
-    text = say("law 13: it turns by @ in a step of a frame", limit.number);
-  else
-    text = "no law of lesson 8 limits this scene, so the answer was found by runs alone";
+  std::string text = by_law(choice.limit, choice.best.point);
   if (choice.coarser) {
     const byhand::Point& coarser = *choice.coarser;
-    text += coarser.outcome != Outcome::good
-                ? say(". In the run with @: @", several(coarser.knobs.substeps, "substep"), coarser.reason)
-                : say(". In the run with @: @", several(coarser.knobs.substeps, "substep"),
-                      limits.empty() ? cost_in_words(coarser) : reached_in_words(coarser, limits));
+    text += say(". In the run with @: @", several(coarser.knobs.substeps, "substep"),
+                coarser.outcome != Outcome::good ? coarser.reason
+                : limits.empty()                 ? cost_in_words(coarser)
+                                                 : reached_in_words(coarser, limits));
   }
   return text;
 }
@@ -272,6 +275,15 @@ renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
   return chart;
 }
 
+/// Whether any method does its least in a frame within its budget.
+bool finishes_a_frame(const Problem& problem, const Wish& wish) {
+  return std::any_of(families().begin(), families().end(), [&](const Family& family) {
+    const byhand::Point least =
+        measure(problem, family, with_cure({}, family.cures.front()), {.seconds = frame, .reference = false});
+    return least.cost > 0 && least.cost <= wish.budget(family);
+  });
+}
+
 std::string data_of(const byhand::Choice& choice, const Problem& problem) {
   std::vector<byhand::Point> points{choice.best.point};
   for (const Candidate& one : choice.runners_up) points.push_back(one.point);
@@ -287,9 +299,9 @@ void recommendation(Page& page, const Setting& setting) {
   const auto [problem, ignored] = problem_of(setting);
   const std::map<Error, double> limits = limits_of(setting);
   page.text(
-      R"(No chart answers for *your* scene, but the program does. It starts from the laws of lesson 8, which give the
-      least number of substeps or sweeps. From there it runs every method with all its choices, and recommends
-      the cheapest run that meets your limits.)");
+      R"(No chart answers for *your* scene, but the program does. It starts from the laws of lesson 8, which
+      estimate how many substeps or sweeps are needed. From there it runs every method with all its choices, and
+      recommends the cheapest run that meets your limits.)");
   for (const std::string& name : ignored)
     page.text("A @ has no @: the value that you set is ignored.", problem.scene().title, name);
   for (const auto& [error, limit] : limits)
@@ -326,6 +338,7 @@ void recommendation(Page& page, const Setting& setting) {
   };
   std::map<const Family*, double> pace;  // of each method, instructions a nanosecond, here and now
   if (by_clock) {
+    double quickest = 0;
     for (const Family& family : families()) {
       Knobs knobs = first_knobs(problem, family, family.cures.front(), 4);
       byhand::Point probe = measure(problem, family, knobs, {.reference = false});
@@ -333,8 +346,12 @@ void recommendation(Page& page, const Setting& setting) {
         knobs.substeps *= 4;
         probe = measure(problem, family, knobs, {.reference = false});
       }
-      pace[&family] = probe.outcome == Outcome::good ? probe.cost / time_of(probe) : 1;
+      if (probe.outcome == Outcome::good) pace[&family] = probe.cost / time_of(probe);
+      quickest = std::max(quickest, pace[&family]);
     }
+    // What cannot be timed is allowed the most; the answer is timed again.
+    for (auto& [family, instructions] : pace)
+      if (instructions == 0) instructions = quickest > 0 ? quickest : 4;
     wish.budget = [&pace, nanoseconds = 1e9 * setting.budget()](const Family& family) {
       return pace.at(&family) * nanoseconds;
     };
@@ -369,16 +386,16 @@ void recommendation(Page& page, const Setting& setting) {
                             : std::string("no method was found to keep that from as many starts for up to a "
                                           "hundred times the cost."));
     page.code("The answer for your own program", code_of(best.family->setting(best.knobs)));
-  } else if (by_clock && (best.family == nullptr || best.cost > wish.budget(*best.family))) {
+  } else if (by_clock && !finishes_a_frame(problem, wish)) {
     page.text("**No method finishes a frame within @ µs**, so no run could be made. Allow more time.",
               setting.budget() * 1e6);
   } else {
-    page.text("**No method was found that reaches that@**: @.@", by_clock ? " within that time" : "",
-              searched_in_words(choice),
+    page.text("**No method was found that reaches that**: @.@", searched_in_words(choice),
               best.outcome == Outcome::good && std::isfinite(choice.best.excess) && !limits.empty()
                   ? say(" The nearest is @ for @, with @ times the error that you allow.", best.described(),
                         cost_in_words(best), Value(choice.best.excess, 2))
-                  : std::string(" No run held to the end."));
+              : best.outcome == Outcome::good ? std::string()
+                                              : " No run held to the end.");
   }
   if (const std::string out = passed(choice); !out.empty())
     page.text("Methods that cannot do this scene:\n" + out);
@@ -387,8 +404,8 @@ void recommendation(Page& page, const Setting& setting) {
     const std::string caption =
         limits.empty()
             ? "The best run of each method within the time allowed."
-            : say(R"(The cheapest run of each method that meets the limits, and runs that come near. Left of “asked
-                  for”, a run meets the limit on its @@.)",
+            : say(R"(The cheapest run of each method that meets the limits, and the nearest run of each other method
+                  that held. Left of “asked for”, a run meets the limit on its @@.)",
                   std::string(name_of(binding(best, limits).first)),
                   limits.size() > 1 ? ", the tightest one; the other errors are in the data" : "");
     if (by_clock)

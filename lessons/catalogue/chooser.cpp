@@ -393,17 +393,20 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   for (;; level *= 2.5) {
     const double half = search.most / 2;
     look(first, level, half), look(second, level, half);
-    if (choice.spent.work <= search.enough) look(rest, level, half), choice.searched = level;
+    const bool all_of_them = choice.spent.work <= search.enough;
+    if (all_of_them) look(rest, level, half);
     const bool spent_all = std::all_of(all.begin(), all.end(),
                                        [&](const Family& family) { return level >= budget_of(wish, family); });
+    if (all_of_them) choice.searched = spent_all ? INFINITY : level;
     // Or a run at this cost is more than one method may take.
     choice.at_its_bound =
         choice.spent.work > 0.9 * half || level * screening(problem) / frame > 2.5 * search.most / 20;
-    if (std::isfinite(cheapest_yet) || spent_all || choice.at_its_bound || level > hopeless ||
+    // Until none is left out that costs little more than the cheapest.
+    if (level >= worth * cheapest_yet || spent_all || choice.at_its_bound || level > hopeless ||
         choice.spent.work > 3 * search.enough)
       break;
   }
-  choice.searched_exactly = level;
+  choice.searched_exactly = std::max(level, choice.searched);
   const int starts = std::isfinite(cheapest_yet) ? starts_of(problem, wish, cheapest_yet, search) : 0;
   std::vector<Candidate> kept = verified(problem, wish, found, starts, 3, search, 0.7 * search.most, choice);
   // What was left out as too dear beside a candidate that did not keep the wish.
@@ -443,10 +446,19 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   for (const Candidate& candidate : found) {
     const auto is_it = [&](const Candidate& one) { return one.point.family == candidate.point.family; };
     if (is_it(choice.best) || std::any_of(kept.begin(), kept.end(), is_it)) continue;
-    if (candidate.point.outcome == Outcome::good && std::isfinite(candidate.excess))
-      choice.runners_up.push_back(candidate);
-    else if (candidate.point.family && candidate.point.outcome != Outcome::too_slow)
+    if (!candidate.point.family || candidate.point.outcome == Outcome::too_slow) continue;
+    if (candidate.point.outcome != Outcome::good || !std::isfinite(candidate.excess)) {
       choice.passed.push_back(candidate.point);
+      continue;
+    }
+    // The search stopped it where it had passed a limit: its errors are those of the whole run.
+    const Point whole = measure(problem, *candidate.point.family, candidate.point.knobs,
+                                {.reference = asks_for_reference(wish.limits)});
+    choice.spent += {1, work_of(whole)};
+    if (whole.outcome == Outcome::good)
+      choice.runners_up.push_back({false, whole, excess(whole, wish.limits)});
+    else
+      choice.passed.push_back(whole);
   }
   if (!choice.reached) return choice;
 
@@ -457,6 +469,11 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
         measure(problem, *choice.best.point.family, fewer, {.reference = asks_for_reference(wish.limits)});
   }
   if (search.tighter && !wish.limits.empty()) {
+    // Of the methods whose search is quick, too: what is exact costs no more for less.
+    std::vector<const Family*> able;
+    for (const Candidate& one : kept) able.push_back(one.point.family);
+    for (const std::size_t at : first)
+      if (std::find(able.begin(), able.end(), &all[at]) == able.end()) able.push_back(&all[at]);
     const auto tighter = [&](double share, double until) -> std::optional<Point> {
       Wish tight = wish;
       for (auto& [error, limit] : tight.limits) limit *= share;
@@ -465,11 +482,11 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
       const Verification as_it_is = verify(problem, choice.best.point, tight, starts, search, 1, true);
       choice.spent += {as_it_is.starts, as_it_is.starts * work_of(choice.best.point)};
       if (as_it_is.kept()) return choice.best.point;
-      std::vector<Candidate> again(kept.size());
-      std::vector<Spent> work(kept.size());
-      search.side_by_side(static_cast<int>(kept.size()), [&](int i) {
+      std::vector<Candidate> again(able.size());
+      std::vector<Spent> work(able.size());
+      search.side_by_side(static_cast<int>(able.size()), [&](int i) {
         const auto at = static_cast<std::size_t>(i);
-        again[at] = cheapest(problem, *kept[at].point.family, tight, 100 * choice.best.point.cost, &work[at],
+        again[at] = cheapest(problem, *able[at], tight, 100 * choice.best.point.cost, &work[at],
                              std::min(search.most / 20, std::max(0.0, until - choice.spent.work) / 2));
       });
       for (const Spent& one : work) choice.spent += one;

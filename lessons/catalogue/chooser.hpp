@@ -71,7 +71,7 @@ struct Choice {
   Verification verified;              // of what is recommended, and of each other that is said to reach the wish
   LawLimit limit;                     // what the laws say
   std::vector<Candidate> runners_up;  // other methods: those that keep the wish from as many starts, by their
-                                      // costs, and what came near
+                                      // costs, then what held from the scene's own start
   std::vector<Point> passed;          // what cannot run this scene or failed, one point a method
   std::optional<Point> coarser;       // the next coarser choice of the same method that was tried, and missed
   // The cheapest that keep half and a tenth of each limit from as many starts; `best` where that does.
@@ -79,7 +79,7 @@ struct Choice {
   double margin = NAN;          // see `margin`
   Spent spent;                  // on all of it
   bool at_its_bound = false;    // whether the search ended because it had taken what it may
-  double searched = 0;          // up to which cost a frame all methods were tried
+  double searched = 0;          // up to which cost a frame all methods were tried; infinite: within the budget
   double searched_exactly = 0;  // and those that solve each step exactly, and XPBD
 };
 

@@ -254,6 +254,27 @@ TEST(Chooser, KeepsAnAccuracyAndABudgetTogether) {
   EXPECT_LE(choice.best.point[Error::drift], 1e-3);
 }
 
+TEST(Chooser, OffersForATenthOfALimitWhatItAnswersForThatTenth) {
+  // The exact solve, dearer than what keeps a stack to 5 mm, costs no more for half of that.
+  const Problem stack("stack", {{"kick", 0.02}});
+  const Search few{.starts = 8};
+  const Choice choice = choose(stack, {.limits = {{Error::drift, 5e-3}}}, few);
+  ASSERT_TRUE(choice.finer);
+  EXPECT_LE(choice.finer->cost, 1.05 * choose(stack, {.limits = {{Error::drift, 5e-4}}}, few).best.point.cost);
+}
+
+TEST(Chooser, WatchesWhatMissesALimitToItsEnd) {
+  const Problem chain = short_chain();
+  const Choice choice = choose(chain, {.limits = {{Error::drift, 1e-3}}});
+  int missed = 0;
+  for (const Candidate& other : choice.runners_up)
+    if (other.excess > 1) {
+      ++missed;
+      EXPECT_NEAR(other.point.seconds, chain.scene().duration, 1e-9) << other.point.described();
+    }
+  EXPECT_GE(missed, 1);
+}
+
 TEST(Chooser, TakesNoMoreThanItMayAndShowsWhatItHas) {
   const Problem pyramid("pyramid", {{"base", 6}, {"kick", 0.02}});
   for (const double most : {1e9, 4e9}) {
