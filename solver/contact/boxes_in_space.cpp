@@ -135,15 +135,16 @@ Manifold3 collide_face(const Boxes& boxes, int reference, double margin) {
   const Vector3d middle = by_face(centre + facing_side * other.half[facing] * turn.col(facing)),
                  half0 = by_face(other.half[in_face[0]] * turn.col(in_face[0])),
                  half1 = by_face(other.half[in_face[1]] * turn.col(in_face[1]));
-  Polygon polygon;
+  Polygon whole;
   for (const auto& [s, t] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
     // The edge that begins at (+, +) is on the second axis's side, the next one on the first's.
-    polygon.add({middle + s * half0 + t * half1, s == t ? name(false, 1, t) : name(false, 0, s)});
+    whole.add({middle + s * half0 + t * half1, s == t ? name(false, 1, t) : name(false, 0, s)});
   }
-  polygon = clipped<0, 1>(polygon, box.half[sides[0]], name(true, 0, 1));
-  polygon = clipped<0, -1>(polygon, box.half[sides[0]], name(true, 0, -1));
-  polygon = clipped<1, 1>(polygon, box.half[sides[1]], name(true, 1, 1));
-  polygon = clipped<1, -1>(polygon, box.half[sides[1]], name(true, 1, -1));
+  // Each from the last, as an assignment would copy all that a polygon could hold.
+  const Polygon once = clipped<0, 1>(whole, box.half[sides[0]], name(true, 0, 1)),
+                twice = clipped<0, -1>(once, box.half[sides[0]], name(true, 0, -1)),
+                thrice = clipped<1, 1>(twice, box.half[sides[1]], name(true, 1, 1)),
+                polygon = clipped<1, -1>(thrice, box.half[sides[1]], name(true, 1, -1));
 
   Manifold3 manifold;
   manifold.reference = reference + 1;
