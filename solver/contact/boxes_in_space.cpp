@@ -101,9 +101,9 @@ std::array<int, 4> four_of(const Polygon& polygon, std::span<const int> vertices
   return {deepest, furthest, aside, outside};
 }
 
-/// The contact points within the margin, or else the nearest, for a reference face: 0–2 are the axes of the first
-/// box, 3–5 of the second.
-Manifold3 collide_face(const Boxes& boxes, int reference, double margin) {
+/// Writes the contact points within the margin, or else the nearest, for a reference face: 0–2 are the axes of the
+/// first box, 3–5 of the second.
+void collide_face(const Boxes& boxes, int reference, double margin, Manifold3& manifold) {
   const bool second = reference >= 3;
   const OrientedBox &box = second ? boxes.second : boxes.first, &other = second ? boxes.first : boxes.second;
   const Matrix3d turn = second ? Matrix3d(boxes.turn.transpose()) : boxes.turn;
@@ -146,7 +146,7 @@ Manifold3 collide_face(const Boxes& boxes, int reference, double margin) {
                 thrice = clipped<1, 1>(twice, box.half[sides[1]], name(true, 1, 1)),
                 polygon = clipped<1, -1>(thrice, box.half[sides[1]], name(true, 1, -1));
 
-  Manifold3 manifold;
+  manifold.size = 0;
   manifold.reference = reference + 1;
   manifold.normal = second ? Vector3d(-n) : n;
   std::array<int, Polygon::capacity> near;
@@ -172,7 +172,6 @@ Manifold3 collide_face(const Boxes& boxes, int reference, double margin) {
     const std::uint32_t feature = (face1 * 6 + from) * 6 + to;
     manifold.add({second ? q : p, second ? p : q, separation, feature});
   }
-  return manifold;
 }
 
 /// Edge `number` = 4 axis + one bit for the side along each of the next two axes.
@@ -208,19 +207,17 @@ ContactPoint3 closest_points(const Edge& a, const Edge& b) {
   return {a.at(s), b.at(t), 0, 256u + 20u * a.feature_at(s) + b.feature_at(t)};
 }
 
-Manifold3 one_point(const Vector3d& n, ContactPoint3 point, std::uint32_t reference) {
+void set_only_point(const Vector3d& n, ContactPoint3 point, Manifold3& manifold) {
   point.separation = n.dot(point.p2 - point.p1);
-  Manifold3 manifold;
   manifold.normal = n;
-  manifold.reference = reference;
+  manifold.size = 0;
   manifold.add(point);
-  return manifold;
 }
 
-/// The contact points for one of the fifteen axes: faces as in `collide_face`, then 6 + 3i + j for edge directions
-/// i of the first box and j of the second.
-Manifold3 collide_axis(const Boxes& boxes, int axis, double margin) {
-  if (axis < 6) return collide_face(boxes, axis, margin);
+/// Writes the contact points for one of the fifteen axes: faces as in `collide_face`, then 6 + 3i + j for edge
+/// directions i of the first box and j of the second. Not returned, as that would copy them.
+void collide_axis(const Boxes& boxes, int axis, double margin, Manifold3& manifold) {
+  if (axis < 6) return collide_face(boxes, axis, margin, manifold);
   const int i = (axis - 6) / 3, j = (axis - 6) % 3;
   Vector3d n = boxes.first.axes.col(i).cross(boxes.second.axes.col(j)).normalized();
   if (n.dot(boxes.apart) < 0) n = -n;
@@ -228,12 +225,13 @@ Manifold3 collide_axis(const Boxes& boxes, int axis, double margin) {
     const auto behind = [&](int k) { return direction.dot(box.axes.col(k % 3)) < 0; };
     return edge(box, 4 * along + behind(along + 1) + 2 * behind(along + 2));
   };
-  return one_point(n, closest_points(furthest_edge(boxes.first, i, n), furthest_edge(boxes.second, j, -n)),
-                   axis + 1);
+  set_only_point(n, closest_points(furthest_edge(boxes.first, i, n), furthest_edge(boxes.second, j, -n)),
+                 manifold);
+  manifold.reference = axis + 1;
 }
 
-/// The closest edges of separate boxes if they are nearer than `limit` [m], else `otherwise`.
-Manifold3 closest_edges(const Boxes& boxes, double limit, const Manifold3& otherwise) {
+/// Replaces the manifold by the closest edges of separate boxes, if they are nearer than `limit` [m].
+void collide_closest_edges(const Boxes& boxes, double limit, Manifold3& manifold) {
   ContactPoint3 best;
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j) {
@@ -241,14 +239,22 @@ Manifold3 closest_edges(const Boxes& boxes, double limit, const Manifold3& other
       const double distance = (point.p2 - point.p1).norm();
       if (distance < limit) limit = distance, best = point;
     }
-  if (best.feature == 0) return otherwise;
+  if (best.feature == 0) return;
   const Vector3d n =
-      limit > 1e-12 * boxes.first.half[0] ? Vector3d((best.p2 - best.p1) / limit) : otherwise.normal;
-  return one_point(n, best, otherwise.reference);
+      limit > 1e-12 * boxes.first.half[0] ? Vector3d((best.p2 - best.p1) / limit) : manifold.normal;
+  set_only_point(n, best, manifold);
 }
 
-/// The separation of the boxes along each of the fifteen axes [m].
-std::array<double, 15> separations(const Boxes& boxes) {
+/// The separation of the nearest point [m].
+double gap(const Manifold3& manifold) {
+  double nearest = infinity;
+  for (const ContactPoint3& point : manifold) nearest = std::min(nearest, point.separation);
+  return nearest;
+}
+
+/// The separation of the boxes along each of the fifteen axes [m]; of edge directions -infinity where it is less
+/// than the largest of faces by more than `gain` [m], or where that is more than `margin` [m].
+std::array<double, 15> separations(const Boxes& boxes, double margin, double gain) {
   const Matrix3d &turn = boxes.turn, size = turn.cwiseAbs();
   const Vector3d &h1 = boxes.first.half, &h2 = boxes.second.half;
   const Vector3d to2 = boxes.first.axes.transpose() * boxes.apart,
@@ -257,26 +263,21 @@ std::array<double, 15> separations(const Boxes& boxes) {
 
   std::array<double, 15> result;
   for (int i = 0; i < 3; ++i) result[i] = of1[i], result[3 + i] = of2[i];
+  std::fill(result.begin() + 6, result.end(), -infinity);
+  const double of_faces = std::max(of1.maxCoeff(), of2.maxCoeff()), least = std::min(of_faces - gain, 0.0);
+  if (of_faces > margin) return result;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      const double sin2 = turn(i1, j) * turn(i1, j) + turn(i2, j) * turn(i2, j);
       const double reach =
           h1[i1] * size(i2, j) + h1[i2] * size(i1, j) + h2[j1] * size(i, j2) + h2[j2] * size(i, j1);
+      const double times_sine = std::abs(to2[i2] * turn(i1, j) - to2[i1] * turn(i2, j)) - reach;
+      if (times_sine < least) continue;  // a sine is at most 1
+      const double sin2 = turn(i1, j) * turn(i1, j) + turn(i2, j) * turn(i2, j);
       // Parallel edges have no common perpendicular.
-      result[6 + 3 * i + j] =
-          sin2 < 1e-8 ? -infinity
-                      : (std::abs(to2[i2] * turn(i1, j) - to2[i1] * turn(i2, j)) - reach) / std::sqrt(sin2);
+      if (sin2 >= 1e-8) result[6 + 3 * i + j] = times_sine / std::sqrt(sin2);
     }
   return result;
-}
-
-/// The points of a manifold that are within the margin.
-Manifold3 within(double margin, Manifold3 manifold) {
-  const auto too_far = [&](const ContactPoint3& point) { return !(point.separation <= margin); };
-  ContactPoint3* const points = manifold.points.data();
-  manifold.size = static_cast<int>(std::remove_if(points, points + manifold.size, too_far) - points);
-  return manifold;
 }
 
 }  // namespace
@@ -289,14 +290,16 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
               {},
               pose2.position - pose1.position};
   boxes.turn = boxes.first.axes.transpose() * boxes.second.axes;
-  const auto separation = separations(boxes);
+  const double least_gain = hysteresis(box1, box2), rounding = 1e-6 * least_gain;
+  const auto separation = separations(boxes, margin, least_gain);
   const auto largest = [&](int from, int to) {
     return static_cast<int>(std::max_element(&separation[from], separation.data() + to) - separation.data());
   };
   const auto larger = [&](int a, int b) { return separation[b] > separation[a] ? b : a; };
   const int first = largest(0, 3), second = largest(3, 6), edge = largest(6, 15),
             best = larger(larger(first, second), edge);
-  if (!(separation[best] <= margin)) return {};
+  Manifold3 manifold;
+  if (!(separation[best] <= margin)) return manifold;
   // A tie goes to the box further right, whichever of the two is called the first.
   const Vector3d& apart = boxes.apart;
   const bool further = apart.x() > 0 || (apart.x() == 0 && (apart.y() > 0 || (apart.y() == 0 && apart.z() > 0)));
@@ -306,20 +309,21 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
 
   // Faces before edges, for they give more points; taken is the first whose points are as near as the boxes are.
   const bool overlap = separation[best] <= 0;
-  const double least_gain = hysteresis(box1, box2), rounding = 1e-6 * least_gain;
-  Manifold3 manifold;
+  const double far = overlap ? std::min(0.0, separation[best] + least_gain) : separation[best] / clearly;
   double nearest = infinity;
   for (const int axis : {static_cast<int>(hint) - 1, face, edge}) {
     if (axis < 0 || axis >= (overlap ? 15 : 6)) continue;
     if (separation[axis] < separation[best] - least_gain) continue;
-    manifold = collide_axis(boxes, axis, margin);
-    nearest = infinity;
-    for (const ContactPoint3& point : manifold) nearest = std::min(nearest, point.separation);
-    const double far = overlap ? std::min(0.0, separation[best] + least_gain) : separation[best] / clearly;
-    if (nearest <= far + rounding) return within(margin, manifold);
+    collide_axis(boxes, axis, margin, manifold);
+    nearest = gap(manifold);
+    if (nearest <= far + rounding) break;
   }
-  if (manifold.reference == 0) manifold = collide_axis(boxes, best, margin);  // for its normal, should edges touch
-  return within(margin, closest_edges(boxes, clearly * nearest, manifold));
+  if (!(nearest <= far + rounding)) {
+    if (manifold.reference == 0) collide_axis(boxes, best, margin, manifold);  // for its normal, should edges touch
+    collide_closest_edges(boxes, clearly * nearest, manifold);
+  }
+  if (!(gap(manifold) <= margin)) manifold.size = 0;
+  return manifold;
 }
 
 }  // namespace byhand
