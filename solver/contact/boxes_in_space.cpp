@@ -35,8 +35,8 @@ struct Boxes {
 int face_number(int axis, bool negative) { return axis + 3 * negative; }
 
 struct Vertex {
-  Vector3d at;  // along the two sides of the reference face, and out of it, from the centre of its box [m]
-  int side;     // the face of the first box that names the polygon's edge from here to the next vertex
+  Vector3d at;   // along the two sides of the reference face, and out of it, from the centre of its box [m]
+  int from, to;  // the faces of the first box that name the polygon's edges that end and begin here
 };
 
 /// Four vertices and four cuts make eight; rounding could make every cut yield half as many again.
@@ -47,8 +47,9 @@ struct Polygon {
   int size = 0;
 
   void add(const Vertex& vertex) { vertices[size++] = vertex; }
+  const Vertex* begin() const { return vertices.data(); }
+  const Vertex* end() const { return vertices.data() + size; }
   const Vertex& operator[](int i) const { return vertices[i]; }
-  const Vertex& before(int i) const { return vertices[(i == 0 ? size : i) - 1]; }
   const Vertex& after(int i) const { return vertices[i + 1 == size ? 0 : i + 1]; }
 };
 
@@ -59,46 +60,56 @@ Polygon clipped(const Polygon& polygon, double reach, int side) {
   for (int i = 0; i < polygon.size; ++i) {
     const Vertex &a = polygon[i], &b = polygon.after(i);
     const double beyond_a = sign * a.at[axis] - reach, beyond_b = sign * b.at[axis] - reach;
-    if (beyond_a <= 0) result.add(a);
-    if ((beyond_a <= 0) != (beyond_b <= 0))
-      result.add({a.at + (b.at - a.at) * (beyond_a / (beyond_a - beyond_b)), beyond_a <= 0 ? side : a.side});
+    const bool leaves = beyond_a <= 0;
+    if (leaves) result.add(a);
+    if (leaves != (beyond_b <= 0))
+      result.add({a.at + (b.at - a.at) * (beyond_a / (beyond_a - beyond_b)), leaves ? a.to : side,
+                  leaves ? side : a.to});
   }
   return result;
 }
 
+/// A directed line along the reference face.
+struct Line {
+  Vector2d left;  // a unit vector
+  double offset;  // [m]
+
+  static Line through(const Vector3d& from, const Vector3d& to) {
+    const Vector2d left = Vector2d(from.y() - to.y(), to.x() - from.x()).normalized();
+    return {left, left.x() * from.x() + left.y() * from.y()};
+  }
+  double to_the_left(const Vector3d& p) const { return left.x() * p.x() + left.y() * p.y() - offset; }
+};
+
 /// Four of more than four vertices that keep nearly all of the area: the deepest, the one furthest from it, the
 /// one furthest from the line between them, and the one furthest outside this triangle. Differences below `level`
 /// [m] do not count, so that the choice lasts; above it, vertices of a box go before crossings of parallel edges.
-std::array<int, 4> four_of(const Polygon& polygon, std::span<const int> vertices, double level) {
-  std::array<double, Polygon::capacity> handicap;
-  for (const int i : vertices) handicap[i] = polygon.before(i).side == polygon[i].side ? 2 * level : 0;
-  const auto best = [&](auto&& distance) {
-    std::array<double, Polygon::capacity> score;
+Polygon four_of(const Polygon& polygon, double level) {
+  std::array<double, Polygon::capacity> handicap, score;
+  for (int i = 0; i < polygon.size; ++i) handicap[i] = polygon[i].from == polygon[i].to ? 2 * level : 0;
+  const auto best = [&](auto&& distance) -> const Vertex& {
     double most = -infinity;
-    for (const int i : vertices) {
+    for (int i = 0; i < polygon.size; ++i) {
       score[i] = distance(polygon[i].at) - handicap[i];
       most = std::max(most, score[i]);
     }
-    return *std::find_if(vertices.begin(), vertices.end(), [&](int i) { return !(score[i] < most - level); });
+    int i = 0;
+    while (score[i] < most - level) ++i;
+    return polygon[i];
   };
-  const auto left_of = [](const Vector3d& from, const Vector3d& to) -> Vector2d {
-    return Vector2d(from.y() - to.y(), to.x() - from.x()).normalized();
-  };
-  const auto along = [](const Vector2d& n, const Vector3d& from, const Vector3d& to) {
-    return n.x() * (to.x() - from.x()) + n.y() * (to.y() - from.y());
-  };
-  const int deepest = best([](const Vector3d& p) { return -p.z(); });
-  const Vector3d a = polygon[deepest].at;
-  const int furthest = best([&](const Vector3d& p) { return (p - a).norm(); });
-  const Vector3d b = polygon[furthest].at;
-  const Vector2d across = left_of(a, b);
-  const int aside = best([&](const Vector3d& p) { return std::abs(along(across, a, p)); });
-  const Vector3d c = polygon[aside].at;
-  const double turn = along(across, a, c) > 0 ? -1 : 1;  // outwards of the triangle
-  const Vector2d ab = turn * across, bc = turn * left_of(b, c), ca = turn * left_of(c, a);
-  const int outside = best(
-      [&](const Vector3d& p) { return std::max(std::max(along(ab, a, p), along(bc, b, p)), along(ca, c, p)); });
-  return {deepest, furthest, aside, outside};
+  const Vertex& deepest = best([](const Vector3d& p) { return -p.z(); });
+  const Vector3d a = deepest.at;
+  const Vertex& furthest = best([&](const Vector3d& p) { return (p - a).norm(); });
+  const Line ab = Line::through(a, furthest.at);
+  const Vertex& aside = best([&](const Vector3d& p) { return std::abs(ab.to_the_left(p)); });
+  const Line bc = Line::through(furthest.at, aside.at), ca = Line::through(aside.at, a);
+  const double outwards = ab.to_the_left(aside.at) > 0 ? -1 : 1;
+  const Vertex& outside = best([&](const Vector3d& p) {
+    return std::max({outwards * ab.to_the_left(p), outwards * bc.to_the_left(p), outwards * ca.to_the_left(p)});
+  });
+  Polygon four;
+  for (const Vertex* vertex : {&deepest, &furthest, &aside, &outside}) four.add(*vertex);
+  return four;
 }
 
 /// Writes the contact points within the margin, or else the nearest, for a reference face: 0–2 are the axes of the
@@ -135,11 +146,14 @@ void collide_face(const Boxes& boxes, int reference, double margin, Manifold3& m
   const Vector3d middle = by_face(centre + facing_side * other.half[facing] * turn.col(facing)),
                  half0 = by_face(other.half[in_face[0]] * turn.col(in_face[0])),
                  half1 = by_face(other.half[in_face[1]] * turn.col(in_face[1]));
+  // The edge that begins at (+, +) is on the second axis's side, the next one on the first's.
+  const int right = name(false, 0, 1), left = name(false, 0, -1), top = name(false, 1, 1),
+            bottom = name(false, 1, -1);
   Polygon whole;
-  for (const auto& [s, t] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
-    // The edge that begins at (+, +) is on the second axis's side, the next one on the first's.
-    whole.add({middle + s * half0 + t * half1, s == t ? name(false, 1, t) : name(false, 0, s)});
-  }
+  whole.add({middle + half0 + half1, right, top});
+  whole.add({middle - half0 + half1, top, left});
+  whole.add({middle - half0 - half1, left, bottom});
+  whole.add({middle + half0 - half1, bottom, right});
   // Each from the last, as an assignment would copy all that a polygon could hold.
   const Polygon once = clipped<0, 1>(whole, box.half[sides[0]], name(true, 0, 1)),
                 twice = clipped<0, -1>(once, box.half[sides[0]], name(true, 0, -1)),
@@ -149,27 +163,20 @@ void collide_face(const Boxes& boxes, int reference, double margin, Manifold3& m
   manifold.size = 0;
   manifold.reference = reference + 1;
   manifold.normal = second ? Vector3d(-n) : n;
-  std::array<int, Polygon::capacity> near;
-  int size = 0;
-  const auto separation_of = [&](int i) { return polygon[i].at.z() - box.half[axis]; };
+  const auto separation_of = [&](const Vertex& vertex) { return vertex.at.z() - box.half[axis]; };
   double nearest = infinity;
-  for (int i = 0; i < polygon.size; ++i) nearest = std::min(nearest, separation_of(i));
-  for (int i = 0; i < polygon.size; ++i)
-    if (separation_of(i) <= std::max(margin, nearest)) near[size++] = i;
-  if (size > 4) {
-    const auto four = four_of(polygon, {near.data(), near.data() + size}, 2e-4 * box.half.minCoeff());
-    std::copy(four.begin(), four.end(), near.begin());
-    size = 4;
-  }
-  for (int k = 0; k < size; ++k) {
-    const Vertex& vertex = polygon[near[k]];
-    const double separation = separation_of(near[k]);
+  for (const Vertex& vertex : polygon) nearest = std::min(nearest, separation_of(vertex));
+  Polygon near;
+  for (const Vertex& vertex : polygon)
+    if (separation_of(vertex) <= std::max(margin, nearest)) near.add(vertex);
+  for (const Vertex& vertex : near.size > 4 ? four_of(near, 2e-4 * box.half.minCoeff()) : near) {
+    const double separation = separation_of(vertex);
     Vector3d own;
     own[sides[0]] = vertex.at.x(), own[sides[1]] = vertex.at.y(), own[axis] = side * vertex.at.z();
     const Vector3d q = box.centre + box.axes * own, p = q - separation * n;
-    int from = polygon.before(near[k]).side, to = vertex.side;
-    if (second == (facing_side > 0)) std::swap(from, to);  // as seen from the first box
-    const std::uint32_t feature = (face1 * 6 + from) * 6 + to;
+    const bool turned = second == (facing_side > 0);  // as seen from the first box
+    const std::uint32_t feature =
+        (face1 * 6 + (turned ? vertex.to : vertex.from)) * 6 + (turned ? vertex.from : vertex.to);
     manifold.add({second ? q : p, second ? p : q, separation, feature});
   }
 }
