@@ -53,18 +53,28 @@ struct Polygon {
   const Vertex& after(int i) const { return vertices[i + 1 == size ? 0 : i + 1]; }
 };
 
-/// The part of the polygon with `sign` x[axis] <= `reach`; `side` names the cut edge (Sutherland–Hodgman).
-template <int axis, int sign>
-Polygon clipped(const Polygon& polygon, double reach, int side) {
+/// The part of the polygon with |x[axis]| <= `reach`; the sides name the edges cut below and above
+/// (Sutherland–Hodgman, two cuts at a time).
+template <int axis>
+Polygon clipped(const Polygon& polygon, double reach, int side_below, int side_above) {
+  const auto place = [&](const Vertex& v) { return (v.at[axis] > reach) - (v.at[axis] < -reach); };
+  const auto crossing = [&](const Vector3d& a, const Vector3d& b, double sign) -> Vector3d {
+    const double beyond_a = sign * a[axis] - reach, beyond_b = sign * b[axis] - reach;
+    return a + (b - a) * (beyond_a / (beyond_a - beyond_b));
+  };
   Polygon result;
   for (int i = 0; i < polygon.size; ++i) {
     const Vertex &a = polygon[i], &b = polygon.after(i);
-    const double beyond_a = sign * a.at[axis] - reach, beyond_b = sign * b.at[axis] - reach;
-    const bool leaves = beyond_a <= 0;
-    if (leaves) result.add(a);
-    if (leaves != (beyond_b <= 0))
-      result.add({a.at + (b.at - a.at) * (beyond_a / (beyond_a - beyond_b)), leaves ? a.to : side,
-                  leaves ? side : a.to});
+    const int place_a = place(a), place_b = place(b);
+    if (place_a == 0) result.add(a);
+    if (place_a == place_b) continue;
+    Vector3d begin = a.at, end = b.at;
+    if (place_a > 0) begin = crossing(begin, end, 1);
+    if (place_b > 0) end = crossing(begin, end, 1);
+    if (place_a < 0) begin = crossing(begin, end, -1);
+    if (place_b < 0) end = crossing(begin, end, -1);
+    if (place_a != 0) result.add({begin, place_a < 0 ? side_below : side_above, a.to});
+    if (place_b != 0) result.add({end, a.to, place_b < 0 ? side_below : side_above});
   }
   return result;
 }
@@ -84,32 +94,30 @@ struct Line {
 /// Four of more than four vertices that keep nearly all of the area: the deepest, the one furthest from it, the
 /// one furthest from the line between them, and the one furthest outside this triangle. Differences below `level`
 /// [m] do not count, so that the choice lasts; above it, vertices of a box go before crossings of parallel edges.
-Polygon four_of(const Polygon& polygon, double level) {
-  std::array<double, Polygon::capacity> handicap, score;
-  for (int i = 0; i < polygon.size; ++i) handicap[i] = polygon[i].from == polygon[i].to ? 2 * level : 0;
-  const auto best = [&](auto&& distance) -> const Vertex& {
+std::array<const Vertex*, 4> four_of(std::span<const Vertex* const> vertices, double level) {
+  std::array<double, Polygon::capacity> score;
+  const auto best = [&](auto&& distance) {
     double most = -infinity;
-    for (int i = 0; i < polygon.size; ++i) {
-      score[i] = distance(polygon[i].at) - handicap[i];
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Vertex& vertex = *vertices[i];
+      score[i] = distance(vertex.at) - (vertex.from == vertex.to ? 2 * level : 0);
       most = std::max(most, score[i]);
     }
-    int i = 0;
+    std::size_t i = 0;
     while (score[i] < most - level) ++i;
-    return polygon[i];
+    return vertices[i];
   };
-  const Vertex& deepest = best([](const Vector3d& p) { return -p.z(); });
-  const Vector3d a = deepest.at;
-  const Vertex& furthest = best([&](const Vector3d& p) { return (p - a).norm(); });
-  const Line ab = Line::through(a, furthest.at);
-  const Vertex& aside = best([&](const Vector3d& p) { return std::abs(ab.to_the_left(p)); });
-  const Line bc = Line::through(furthest.at, aside.at), ca = Line::through(aside.at, a);
-  const double outwards = ab.to_the_left(aside.at) > 0 ? -1 : 1;
-  const Vertex& outside = best([&](const Vector3d& p) {
+  const Vertex* deepest = best([](const Vector3d& p) { return -p.z(); });
+  const Vector3d& a = deepest->at;
+  const Vertex* furthest = best([&](const Vector3d& p) { return (p - a).norm(); });
+  const Line ab = Line::through(a, furthest->at);
+  const Vertex* aside = best([&](const Vector3d& p) { return std::abs(ab.to_the_left(p)); });
+  const Line bc = Line::through(furthest->at, aside->at), ca = Line::through(aside->at, a);
+  const double outwards = ab.to_the_left(aside->at) > 0 ? -1 : 1;
+  const Vertex* outside = best([&](const Vector3d& p) {
     return std::max({outwards * ab.to_the_left(p), outwards * bc.to_the_left(p), outwards * ca.to_the_left(p)});
   });
-  Polygon four;
-  for (const Vertex* vertex : {&deepest, &furthest, &aside, &outside}) four.add(*vertex);
-  return four;
+  return {deepest, furthest, aside, outside};
 }
 
 /// Writes the contact points within the margin, or else the nearest, for a reference face: 0–2 are the axes of the
@@ -154,29 +162,33 @@ void collide_face(const Boxes& boxes, int reference, double margin, Manifold3& m
   whole.add({middle - half0 + half1, top, left});
   whole.add({middle - half0 - half1, left, bottom});
   whole.add({middle + half0 - half1, bottom, right});
-  // Each from the last, as an assignment would copy all that a polygon could hold.
-  const Polygon once = clipped<0, 1>(whole, box.half[sides[0]], name(true, 0, 1)),
-                twice = clipped<0, -1>(once, box.half[sides[0]], name(true, 0, -1)),
-                thrice = clipped<1, 1>(twice, box.half[sides[1]], name(true, 1, 1)),
-                polygon = clipped<1, -1>(thrice, box.half[sides[1]], name(true, 1, -1));
+  const Polygon between = clipped<0>(whole, box.half[sides[0]], name(true, 0, -1), name(true, 0, 1)),
+                polygon = clipped<1>(between, box.half[sides[1]], name(true, 1, -1), name(true, 1, 1));
 
   manifold.size = 0;
   manifold.reference = reference + 1;
   manifold.normal = second ? Vector3d(-n) : n;
-  const auto separation_of = [&](const Vertex& vertex) { return vertex.at.z() - box.half[axis]; };
-  double nearest = infinity;
-  for (const Vertex& vertex : polygon) nearest = std::min(nearest, separation_of(vertex));
-  Polygon near;
+  const double height = box.half[axis];
+  double lowest = infinity;
+  for (const Vertex& vertex : polygon) lowest = std::min(lowest, vertex.at.z());
+  const double limit = std::max(margin, lowest - height);
+  std::array<const Vertex*, Polygon::capacity> near;
+  int size = 0;
   for (const Vertex& vertex : polygon)
-    if (separation_of(vertex) <= std::max(margin, nearest)) near.add(vertex);
-  for (const Vertex& vertex : near.size > 4 ? four_of(near, 2e-4 * box.half.minCoeff()) : near) {
-    const double separation = separation_of(vertex);
+    if (vertex.at.z() - height <= limit) near[size++] = &vertex;
+  if (size > 4) {
+    const auto four = four_of({near.data(), near.data() + size}, 2e-4 * box.half.minCoeff());
+    size = static_cast<int>(std::copy(four.begin(), four.end(), near.begin()) - near.begin());
+  }
+  const bool reversed = second == (facing_side > 0);  // as seen from the first box
+  for (int i = 0; i < size; ++i) {
+    const Vertex& vertex = *near[i];
+    const double separation = vertex.at.z() - height;
     Vector3d own;
     own[sides[0]] = vertex.at.x(), own[sides[1]] = vertex.at.y(), own[axis] = side * vertex.at.z();
     const Vector3d q = box.centre + box.axes * own, p = q - separation * n;
-    const bool turned = second == (facing_side > 0);  // as seen from the first box
-    const std::uint32_t feature =
-        (face1 * 6 + (turned ? vertex.to : vertex.from)) * 6 + (turned ? vertex.from : vertex.to);
+    const int edges = reversed ? vertex.to * 6 + vertex.from : vertex.from * 6 + vertex.to;
+    const std::uint32_t feature = face1 * 36 + edges;
     manifold.add({second ? q : p, second ? p : q, separation, feature});
   }
 }
@@ -247,8 +259,7 @@ void collide_closest_edges(const Boxes& boxes, double limit, Manifold3& manifold
       if (distance < limit) limit = distance, best = point;
     }
   if (best.feature == 0) return;
-  const Vector3d n =
-      limit > 1e-12 * boxes.first.half[0] ? Vector3d((best.p2 - best.p1) / limit) : manifold.normal;
+  const Vector3d n = limit > 1e-12 * boxes.first.half[0] ? Vector3d((best.p2 - best.p1) / limit) : manifold.normal;
   set_only_point(n, best, manifold);
 }
 
@@ -326,10 +337,12 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
     if (nearest <= far + rounding) break;
   }
   if (!(nearest <= far + rounding)) {
-    if (manifold.reference == 0) collide_axis(boxes, best, margin, manifold);  // for its normal, should edges touch
+    // For its normal, should edges touch.
+    if (manifold.reference == 0) collide_axis(boxes, best, margin, manifold);
     collide_closest_edges(boxes, clearly * nearest, manifold);
+    nearest = gap(manifold);
   }
-  if (!(gap(manifold) <= margin)) manifold.size = 0;
+  if (!(nearest <= margin)) manifold.size = 0;
   return manifold;
 }
 
