@@ -1,7 +1,5 @@
 #include "lessons/engines/contest.hpp"
 
-#include <ctime>
-
 namespace byhand::engines {
 namespace {
 
@@ -11,13 +9,6 @@ const auto& builder(const Engine& engine) {
     return engine.in_plane;
   else
     return engine.in_space;
-}
-
-/// What all threads of this program have computed, whatever else the machine does [s].
-double processor_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 template <class M>
@@ -71,9 +62,9 @@ std::vector<double> seconds_a_frame(const std::vector<Contestant<M>>& contestant
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < contestants.size(); ++i) {
       const auto world = contestants[i].build(scene);
-      const double begin = processor_seconds();
+      const double begin = world->seconds();
       for (int j = 0; j < frames; ++j) run_frame(*world, contestants[i].setting.steps);
-      least[i] = std::min(least[i], (processor_seconds() - begin) / frames);
+      least[i] = std::min(least[i], (world->seconds() - begin) / frames);
     }
   return least;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@
 // because the engine counts otherwise than we do, stands in its file; what is turned, in settings/.
 namespace byhand::engines {
 
+/// What all threads of this program have computed, whatever else the machine does [s].
+double processor_seconds();
+
 /// A scene that runs in an engine.
 template <class M>
 class World {
@@ -24,7 +28,13 @@ class World {
   virtual void read(Bodies<M>& bodies) const = 0;
   /// Gives each body that moves the velocity that it has there.
   virtual void set_velocities(const Bodies<M>& bodies) = 0;
+  /// The clock of its steps: processor time of the program that takes them [s].
+  virtual double seconds() const { return processor_seconds(); }
 };
+
+/// Builds the world of a scene.
+template <class M>
+using Build = std::function<std::unique_ptr<World<M>>(const Scene<M>&, const Knobs&)>;
 
 /// How many of each a scene has, by which an engine may refuse it.
 struct Asked {
@@ -48,8 +58,8 @@ struct Engine {
   Settings settings = {};
   /// Why it does not run such a scene, in one clause; empty if it does.
   std::string (*refusal)(const Asked&) = nullptr;
-  std::unique_ptr<World<PlaneBody>> (*in_plane)(const Scene<PlaneBody>&, const Knobs&) = nullptr;
-  std::unique_ptr<World<SpaceBody>> (*in_space)(const Scene<SpaceBody>&, const Knobs&) = nullptr;
+  Build<PlaneBody> in_plane = {};
+  Build<SpaceBody> in_space = {};
 };
 
 /// Why an engine does not run a scene; empty if it does.
@@ -62,6 +72,12 @@ const Engine& this_course();
 const std::vector<Engine>& all_engines();
 /// The names of those that it was built without.
 const std::vector<std::string>& missing();
+
+/// Engines that exist in WebAssembly alone, under node: their times are set beside this course in WebAssembly,
+/// which is the first of them, and beside no other. None without it.
+const std::vector<Engine>& engines_in_webassembly();
+/// The names of those that are not installed.
+const std::vector<std::string>& missing_in_webassembly();
 
 // What the adapters share.
 

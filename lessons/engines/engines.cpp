@@ -1,6 +1,7 @@
 #include "lessons/engines/engine.hpp"
 
 #include <algorithm>
+#include <ctime>
 
 #include "lessons/engines/adapters.hpp"
 
@@ -26,6 +27,12 @@ Asked asked(const Scene<M>& scene) {
 }
 
 }  // namespace
+
+double processor_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 template <class M>
 std::string refusal(const Engine& engine, const Scene<M>& scene) {

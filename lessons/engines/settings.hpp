@@ -53,8 +53,12 @@ Settings box3d_settings();
 Settings bullet_settings();
 Settings bullet_multibody_settings();
 Settings chipmunk_settings();
+Settings jolt_settings();
 Settings mujoco_settings();
 Settings ode_quick_settings();
 Settings ode_direct_settings();
+Settings physx_settings();
+Settings physx_articulation_settings();
+Settings rapier_settings();
 
 }  // namespace byhand::engines
