@@ -46,5 +46,6 @@ double seconds(F&& run) {
 
 // Each in the file of its name.
 Figure slope();
+Figure pendulum();
 
 }  // namespace byhand::published

@@ -17,7 +17,7 @@ struct Named {
   std::string name;
   Figure (*figure)();
 };
-const std::vector<Named> figures = {{"slope", slope}};
+const std::vector<Named> figures = {{"slope", slope}, {"pendulum", pendulum}};
 
 /// The processor that our times were taken on.
 std::string processor() {
