@@ -47,5 +47,6 @@ double seconds(F&& run) {
 // Each in the file of its name.
 Figure slope();
 Figure pendulum();
+Figure four_bars();
 
 }  // namespace byhand::published

@@ -17,7 +17,7 @@ struct Named {
   std::string name;
   Figure (*figure)();
 };
-const std::vector<Named> figures = {{"slope", slope}, {"pendulum", pendulum}};
+const std::vector<Named> figures = {{"slope", slope}, {"pendulum", pendulum}, {"four_bars", four_bars}};
 
 /// The processor that our times were taken on.
 std::string processor() {
