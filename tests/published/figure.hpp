@@ -48,5 +48,6 @@ double seconds(F&& run) {
 Figure slope();
 Figure pendulum();
 Figure four_bars();
+Figure squeezer();
 
 }  // namespace byhand::published

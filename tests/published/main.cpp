@@ -17,7 +17,8 @@ struct Named {
   std::string name;
   Figure (*figure)();
 };
-const std::vector<Named> figures = {{"slope", slope}, {"pendulum", pendulum}, {"four_bars", four_bars}};
+const std::vector<Named> figures = {
+    {"slope", slope}, {"pendulum", pendulum}, {"four_bars", four_bars}, {"squeezer", squeezer}};
 
 /// The processor that our times were taken on.
 std::string processor() {
