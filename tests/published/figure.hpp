@@ -49,5 +49,6 @@ Figure slope();
 Figure pendulum();
 Figure four_bars();
 Figure squeezer();
+Figure bricard();
 
 }  // namespace byhand::published

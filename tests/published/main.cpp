@@ -17,8 +17,11 @@ struct Named {
   std::string name;
   Figure (*figure)();
 };
-const std::vector<Named> figures = {
-    {"slope", slope}, {"pendulum", pendulum}, {"four_bars", four_bars}, {"squeezer", squeezer}};
+const std::vector<Named> figures = {{"slope", slope},
+                                    {"pendulum", pendulum},
+                                    {"four_bars", four_bars},
+                                    {"squeezer", squeezer},
+                                    {"bricard", bricard}};
 
 /// The processor that our times were taken on.
 std::string processor() {
