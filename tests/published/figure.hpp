@@ -50,5 +50,6 @@ Figure pendulum();
 Figure four_bars();
 Figure squeezer();
 Figure bricard();
+Figure governor();
 
 }  // namespace byhand::published

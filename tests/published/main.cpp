@@ -17,11 +17,8 @@ struct Named {
   std::string name;
   Figure (*figure)();
 };
-const std::vector<Named> figures = {{"slope", slope},
-                                    {"pendulum", pendulum},
-                                    {"four_bars", four_bars},
-                                    {"squeezer", squeezer},
-                                    {"bricard", bricard}};
+const std::vector<Named> figures = {{"slope", slope},       {"pendulum", pendulum}, {"four_bars", four_bars},
+                                    {"squeezer", squeezer}, {"bricard", bricard},   {"governor", governor}};
 
 /// The processor that our times were taken on.
 std::string processor() {
