@@ -51,5 +51,6 @@ Figure four_bars();
 Figure squeezer();
 Figure bricard();
 Figure governor();
+Figure rolling();
 
 }  // namespace byhand::published

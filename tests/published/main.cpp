@@ -18,7 +18,8 @@ struct Named {
   Figure (*figure)();
 };
 const std::vector<Named> figures = {{"slope", slope},       {"pendulum", pendulum}, {"four_bars", four_bars},
-                                    {"squeezer", squeezer}, {"bricard", bricard},   {"governor", governor}};
+                                    {"squeezer", squeezer}, {"bricard", bricard},   {"governor", governor},
+                                    {"rolling", rolling}};
 
 /// The processor that our times were taken on.
 std::string processor() {
