@@ -52,5 +52,6 @@ Figure squeezer();
 Figure bricard();
 Figure governor();
 Figure rolling();
+Figure balls();
 
 }  // namespace byhand::published
