@@ -53,5 +53,6 @@ Figure bricard();
 Figure governor();
 Figure rolling();
 Figure balls();
+Figure bouncing();
 
 }  // namespace byhand::published

@@ -19,7 +19,7 @@ struct Named {
 };
 const std::vector<Named> figures = {{"slope", slope},       {"pendulum", pendulum}, {"four_bars", four_bars},
                                     {"squeezer", squeezer}, {"bricard", bricard},   {"governor", governor},
-                                    {"rolling", rolling},   {"balls", balls}};
+                                    {"rolling", rolling},   {"balls", balls},       {"bouncing", bouncing}};
 
 /// The processor that our times were taken on.
 std::string processor() {
