@@ -54,5 +54,6 @@ Figure governor();
 Figure rolling();
 Figure balls();
 Figure bouncing();
+Figure cubes();
 
 }  // namespace byhand::published

@@ -19,7 +19,8 @@ struct Named {
 };
 const std::vector<Named> figures = {{"slope", slope},       {"pendulum", pendulum}, {"four_bars", four_bars},
                                     {"squeezer", squeezer}, {"bricard", bricard},   {"governor", governor},
-                                    {"rolling", rolling},   {"balls", balls},       {"bouncing", bouncing}};
+                                    {"rolling", rolling},   {"balls", balls},       {"bouncing", bouncing},
+                                    {"cubes", cubes}};
 
 /// The processor that our times were taken on.
 std::string processor() {
