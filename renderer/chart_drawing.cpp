@@ -815,6 +815,8 @@ void ChartDrawing::draw_texts() {
           labels.place(p, e.curve->point_labels[i], {.size = 14, .colour = label_colour(e), .halo = 2.5});
   for (const Reason& reason : reasons_)
     labels.place(reason.at, reason.text, {.size = 14, .colour = reason.colour, .halo = 2.5});
+  if (chart_.y.scale == Scale::linear)  // the line y = 0
+    labels.avoid_path(std::array<Point, 2>{at(ranges_.x.first, 0), at(ranges_.x.second, 0)});
   for (const Annotation& a : chart_.annotations) {
     const Point p = at(a.x, a.y);
     if (!plot_.inset(-1).contains(p)) continue;

@@ -80,13 +80,16 @@ class LabelReader {
     return i < text_.size() && (signs_[i].level > 0 || Words(U"²³⁻¹").find(text_[i]) != Words::npos);
   }
 
-  // Units from `i` on, "N·s/m".
+  // Units from `i` on, "N·s/m". In "2 m·g" the m is a mass.
   void mark_units(std::size_t i) {
     for (std::size_t end = end_of_word(i); end > i && is_unit(i, end); end = end_of_word(i)) {
+      std::size_t next = end;
+      while (is_exponent(next)) ++next;
+      if (at(next) == U'·' && end_of_word(next + 1) > next + 1 && !is_unit(next + 1, end_of_word(next + 1)))
+        return;
       std::fill(is_unit_.begin() + std::ptrdiff_t(i), is_unit_.begin() + std::ptrdiff_t(end), true);
-      while (is_exponent(end)) ++end;
-      if (Words(U"·/ ").find(at(end)) == Words::npos) return;
-      i = end + 1;
+      if (Words(U"·/ ").find(at(next)) == Words::npos) return;
+      i = next + 1;
     }
   }
 

@@ -46,11 +46,12 @@ TEST(Mathematics, UnitsAreUpright) {
   EXPECT_EQ(marked("λ/h (N)"), "⟨λ⟩/⟨h⟩ (N)");
   EXPECT_EQ(marked("1 μm or less"), "1 μm or less");
   EXPECT_EQ(marked("time (µs a frame)"), "time (µs a frame)");
+  EXPECT_EQ(marked("tension 0.2 m·g"), "tension 0.2 ⟨m⟩·⟨g⟩");
 }
 
 TEST(Mathematics, WordsFunctionsAndTransposesAreUpright) {
   EXPECT_EQ(marked("a row of J"), "a row of ⟨J⟩");
-  EXPECT_EQ(marked("a_2 < 0: turns clockwise"), "⟨a⟩2 < 0: turns clockwise");
+  EXPECT_EQ(marked("a_2 < 0: a clockwise arrow"), "⟨a⟩2 < 0: a clockwise arrow");
   EXPECT_EQ(marked("the joint's J^T"), "the joint's ⟨J⟩T");
   EXPECT_EQ(marked("tanθ = μ"), "tan⟨θ⟩ = ⟨μ⟩");
   EXPECT_EQ(marked("ln 2/h"), "ln 2/⟨h⟩");
