@@ -158,7 +158,7 @@ std::string Page::verdict(const std::vector<Judgement>& sentences) {
     if (!when.met) continue;
     const Condition judged = both(when, law);
     const std::string sentence = unwrapped(say);
-    verdicts_.push_back({.quantity = fmt::format("“{}”", sentence), .source = "verdict", .judged = judged});
+    verdicts_.push_back({.quantity = fmt::format("“{}”", sentence), .source = "the sentence", .judged = judged});
     return sentence;
   }
   return {};
