@@ -98,7 +98,7 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
   canvas.text(at.plank.position - 0.6 * length * at.along_plank(), "body 1", name);
   canvas.text(at.box.position + length * Linear<PlaneBody>(0.13, 0.18), "body 2", name);
   const Point along = at.along_plank();
-  canvas.text(0.5 * (at.plank.position + p1) + length * (0.09 * along - 0.03 * n), "r_1", name);
+  canvas.text(at.plank.position + length * (0.056 * along - 0.035 * n), "r_1", name);
   canvas.text(0.5 * (at.box.position + p2) - 0.05 * length * along, "r_2", name);
   const renderer::TextStyle point{.size = 20, .colour = palette::error, .halo = 3};
   canvas.text(p1 + length * (0.04 * n - 0.07 * along), "P_1", point);
@@ -147,8 +147,8 @@ void contact(course::Page& page, const Settings& set) {
   page.text(
       R"(*What is left out?* C is a product of two factors that change, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is (15),
       and (P₂ − P₁)·ṅ, which is dropped. When is that allowed? ṅ is perpendicular to n, so a gap or an overlap along n
-      adds nothing. The turning of the normal matters only if P₂ is offset sideways from P₁; it then adds ω₁ times that offset. Contact points
-      are chosen opposite each other, and there the dropped term is zero.)");
+      adds nothing. The turning of the normal matters only if P₂ is offset sideways from P₁: it adds −ω₁ times
+      the offset, counted to the right along n. Contact points are chosen opposite each other, and there the dropped term is zero.)");
   if (std::abs(w1) > 1e-6 * set.speed / length)
     page.text("Here the plank turns at @ rad/s: each millimetre of offset changes the true Ċ by @ mm/s.",
               course::Value(w1, 3), course::Value(dropped.slope, 3));

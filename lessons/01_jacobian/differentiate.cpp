@@ -64,8 +64,8 @@ void differentiate(course::Page& page, const Settings& set) {
   const double bob = rate_of_bob(place, moving, length);
   page.predict(
       {.ask = course::say(
-           R"(The bob is @ m from the fixed point and moves at @ m/s; the cosine of its angle to P₂ − P₁ is 0.6.
-                         How large is Ċ of (9)?)",
+           R"(The bob is @ m from the fixed point and moves at @ m/s; the cosine of the angle
+                         between its velocity and P₂ − P₁ is 0.6. How large is Ċ of (9)?)",
            length, speed),
        .answer = bob,
        .unit = "m²/s",
@@ -86,9 +86,9 @@ void differentiate(course::Page& page, const Settings& set) {
                 vector(pair.V2[2] * Linear<PlaneBody>(-pair.r2().y(), pair.r2().x())), vector(v1),
                 vector(pair.V1[2] * Linear<PlaneBody>(-pair.r1().y(), pair.r1().x())), pair.rate());
   page.text(
-      R"(Check every derivative. Here two boxes move for @ s; the rod only measures, it does not hold them yet. The
+      R"(Check every derivative. Here two boxes move freely for @ s; the rod only measures the distance. The
       curve is (10) at each moment. The dots do not use (10): they are C a little later minus C a little earlier,
-      divided by the time between, @ s.)",
+      divided by the @ s between.)",
       course::Value(time, 3), course::Value(2 * step, 3));
   const Rates all = rates(pair, time, step);
   constexpr double seconds = 4;
@@ -104,7 +104,7 @@ void differentiate(course::Page& page, const Settings& set) {
                   const Pair then = pair.after(now);
                   canvas.look(renderer::fit({-0.5 * length, -0.95 * length, 3.35 * length + stretch, 1.9 * length},
                                             left, 0));
-                  draw(canvas, then, sides, true);
+                  draw(canvas, then, sides);
                   const renderer::ArrowKind kind{palette::velocity, per_speed, "m/s"};
                   const Point p1 = then.pose1.position + then.r1(), p2 = then.pose2.position + then.r2();
                   canvas.vector(p1, then.V1.head<2>() + then.V1[2] * Point(-then.r1().y(), then.r1().x()), kind);

@@ -49,8 +49,8 @@ Entries exchanged(const Entries& row) {
 
 renderer::Chart bars(const Entries& row, int shown) {
   renderer::Bars all{.label = "", .colour = palette::constraint};
-  renderer::Chart chart{.x = {.label = "component of V that is 1 (m/s or rad/s)"},
-                        .y = {.label = "Ċ = entry of J (m, m²)"}};
+  renderer::Chart chart{.x = {.label = "component of V set to 1 m/s or 1 rad/s"},
+                        .y = {.label = "entry of J (m, m²)"}};
   for (int i = 0; i < entries; ++i) {
     chart.bar_names.emplace_back(moved[static_cast<std::size_t>(i)]);
     all.values.push_back(i < shown ? row[i] : std::nan(""));
@@ -71,7 +71,7 @@ void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Entries& row, 
   canvas.look(camera);
   const double size = way % 3 == 2 ? 0.5 : 0.22 * length;  // of the movement to be seen [rad or m]
   const Pair nudged = moving_in(pair, way).after(size * std::sin(2 * std::numbers::pi * phase));
-  draw(canvas, nudged, sides, true);
+  draw(canvas, nudged, sides);
   canvas.look_at_page();
   canvas.text({left.x + 16, left.top() - 24},
               course::say("only body @ @", way < 3 ? 1 : 2,
@@ -80,7 +80,8 @@ void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Entries& row, 
                                          : "turns"),
               {.size = 22, .anchor = renderer::Anchor::left, .bold = true});
   canvas.text({left.x + 16, left.top() - 58},
-              course::say("@ = @", names[static_cast<std::size_t>(way)], course::Value(row[way], 3)),
+              course::say("@ = @ @", names[static_cast<std::size_t>(way)], course::Value(row[way], 3),
+                          way % 3 == 2 ? "m²" : "m"),
               {.size = 22, .colour = palette::constraint, .anchor = renderer::Anchor::left});
   renderer::draw(canvas, bars(row, way + 1), right);
 }
@@ -190,7 +191,7 @@ void inspection(course::Page& page, const Settings& set) {
   page.excerpt("solver/jacobian.hpp", "along");
   page.text(
       R"("By inspection" is not guessing. Ċ = JV holds for *every* V, and only one J does that: set one component of V
-      to 1 and the others to 0, and JV is one entry of J. Six such movements give six entries.)");
+      to 1 and the others to 0, and JV is one entry of J.)");
   constexpr double each = 1.4;
   page.sequence("probes", "Six movements give six numbers: each time Ċ is measured from C, without (14).",
                 course::Seconds{entries * each}, [=](renderer::Canvas& canvas, double time) {
@@ -204,7 +205,7 @@ void inspection(course::Page& page, const Settings& set) {
       "row", "The four parts of J, drawn on the bodies that they belong to.", [=](renderer::Canvas& canvas) {
         canvas.look(renderer::fit({-0.75 * length, -0.65 * length, 3.3 * length + 1.6 * stretch, 1.5 * length},
                                   canvas.page(0.75), 10));
-        draw(canvas, pair, sides, false);
+        draw(canvas, pair, sides, {.ends_named = false, .pale_rod = true});
         draw_row(canvas, J, pair.pose1.position, pair.pose2.position,
                  {.scale = 0.5 * length / J.l2().norm(),
                   .radius = 0.14 * length,

@@ -76,7 +76,9 @@ void linkage(course::Page& page, const Settings& set) {
       in the plane and @ in space. The solver stores no more than that, and (8) reads:)",
       stored<PlaneBody>, stored<SpaceBody>, stored<PlaneParticle>, stored<SpaceParticle>);
   page.excerpt("solver/jacobian.hpp", "8");
-  page.text(R"(*The article's "two scalar values in 2D, and three scalar values in 3D" is true of l alone.*)");
+  page.text(
+      R"(*The article's "two scalar values in 2D" is true of l alone: there a is one number. In 3D its "three" holds for
+      both.*)");
 
   const Scene<PlaneBody> scene = chain_of(set);
   const Eigen::MatrixXd J = whole(scene);

@@ -78,11 +78,11 @@ void one_row(course::Page& page, const Settings& set) {
                 products.)"});
   page.text(
       R"(The same row also works in the other direction. J says how velocities change C; as a column, Jᵀ says in which directions to push
-      the bodies to change C, and one number λ says how hard; the article prints this earlier:)");
+      the bodies to change C, and one number λ says how hard. In the article this comes before (6):)");
   page.equation(5);
   page.text(
       R"(So λl₁ pushes body 1 and λa₁ turns it; λl₂ and λa₂ do the same to body 2. Lesson 2 asks how large λ must be.
-      *The article calls Jᵀ "the inverse" of J; a row has no inverse, and 7f says what Jᵀ is. First we have to find J.*)");
+      *The article calls Jᵀ "the inverse" of J. A row has no inverse; 7f says what Jᵀ is.* But first we have to find J.)");
 
   const Pair pair = pair_of(set);
   const double speeds = pair.V1.norm() + pair.V2.norm();

@@ -6,18 +6,18 @@ namespace byhand::lesson01 {
 
 course::Value vector(const Linear<PlaneBody>& v) { return course::say("(@, @)", v.x(), v.y()); }
 
-void draw(Canvas& canvas, const Pair& pair, const Linear<PlaneBody>& sides, bool named) {
+void draw(Canvas& canvas, const Pair& pair, const Linear<PlaneBody>& sides, const PairLook& look) {
   const Point c1 = pair.pose1.position, c2 = pair.pose2.position, p1 = c1 + pair.r1(), p2 = c2 + pair.r2();
   canvas.box(c1, sides, angle(pair.pose1.rotation));
   canvas.box(c2, sides, angle(pair.pose2.rotation));
-  canvas.rod(p1, p2);
+  canvas.rod(p1, p2, {renderer::fade(palette::constraint, look.pale_rod ? 0.35 : 1), {palette::ink, 0}});
   for (const auto& [centre, tip] : {std::pair{c1, p1}, std::pair{c2, p2}}) {
     const Point head = tip - 9 / canvas.camera().scale * (tip - centre).normalized();  // beside the hinge's disc
     canvas.arrow(centre, head, {palette::muted, 1.8, renderer::Dash::dashed});
     canvas.mark(centre, renderer::Mark::cross, palette::muted, 8);
     canvas.hinge(tip);
   }
-  if (!named) return;
+  if (!look.ends_named) return;
   const renderer::TextStyle style{.size = 20, .halo = 3};
   renderer::Labels labels(canvas, canvas.camera().frame);
   const Point along = (p2 - p1).normalized(), aside = 16 / canvas.camera().scale * Point(along.y(), -along.x()),
@@ -26,8 +26,10 @@ void draw(Canvas& canvas, const Pair& pair, const Linear<PlaneBody>& sides, bool
   canvas.arrow(d.first, d.second, {palette::ink, 1.8});
   for (const auto& [from, to] : {std::pair{c1, p1}, std::pair{c2, p2}, std::pair{p1, p2}, d})
     labels.avoid_path(std::vector<Point>{from, to});
-  labels.place((c1 + p1) / 2, "r_1", style);
-  labels.place((c2 + p2) / 2, "r_2", style);
+  if (look.arms_named) {
+    labels.place((c1 + p1) / 2, "r_1", style);
+    labels.place((c2 + p2) / 2, "r_2", style);
+  }
   labels.place((d.first + d.second) / 2, "d", style);
   labels.place(p1, "P_1", style, 14);
   labels.place(p2, "P_2", style, 14);

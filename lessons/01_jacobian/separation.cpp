@@ -75,10 +75,12 @@ void separation(course::Page& page, const Settings& set) {
       R"(That is P₂ − P₁ along n: a length in metres, negative where the bodies overlap; the article's
       "inter-penetration depth" is −C. With n held still its rate is JV of (15). Two discs check it: their gap is the
       distance between the centres minus both radii.)");
-  page.figure("discs",
-              "Two discs overlap. C is the distance from the tip of r₁ to the tip of r₂ along n. (r₂ is drawn a "
-              "little aside.)",
-              [=](renderer::Canvas& canvas) { draw_discs(canvas, at, length); });
+  page.figure(
+      "discs",
+      course::say(R"(Two discs overlap: along n the tip of r₂ lies @ m short of that of r₁, so C < 0. (r₂ is
+                          drawn a little aside.))",
+                  -at.value()),
+      [=](renderer::Canvas& canvas) { draw_discs(canvas, at, length); });
   const auto& arms = at.contact.at.arms;
   const double literal =
       (at.second.position + arms.second - at.first.position - arms.first).dot(at.contact.normal);

@@ -44,7 +44,8 @@ void slopes(course::Page& page, const Settings& set) {
        .wrong = {{2, "J already takes away the first-order part; the remainder is of second order."},
                  {8, "That would be third order: C of (2) is a square, its second derivative is not zero."},
                  {1, "Then the remainder would not depend on h at all."}},
-       .hints = {"Which power of h is left without the first?", "C of (2) after the step: ½(d + hv)² − ½L².",
+       .hints = {"The first power of h is gone. Which is the lowest one left?",
+                 "C of (2) after the step: ½(d + hv)² − ½L².",
                  "½(d + hv)² − ½d² = h d·v + ½h²v²; the first term is h·JV."},
        .hinted = 4,
        .right = course::say("The remainder is exactly ½h²v², here @ m²: half the step, a quarter of it.", exact)});

@@ -1,6 +1,7 @@
 #include <random>
 
 #include "lessons/01_jacobian/picture.hpp"
+#include "lessons/pictures/acts.hpp"
 
 // (11) to (13): how ω leaves the cross product.
 namespace byhand::lesson01 {
@@ -71,6 +72,7 @@ void draw_lever(renderer::Canvas& canvas, const renderer::Rectangle& frame, cons
   canvas.line(foot - 0.4 * arm * ahead, r + 1.2 * size * ahead, {palette::muted, 1.5, renderer::Dash::dashed});
   canvas.arrow({0, 0}, r, {palette::ink, 3});
   canvas.arrow(r, r + d, {palette::constraint, 4});
+  pictures::draw_right_angle(canvas, foot, -foot, -ahead, 18);
   canvas.line({0, 0}, foot, {palette::error, 5});
   canvas.mark({0, 0}, renderer::Mark::disc, palette::ink, 10);
   const double bow = pair.row().a2()(0, 0) < 0 ? -2.7 : 2.7;
@@ -89,7 +91,8 @@ void draw_lever(renderer::Canvas& canvas, const renderer::Rectangle& frame, cons
   canvas.text(r + 0.6 * d, "d", of_rod);
   canvas.text(foot / 2, "lever arm", of_lever);
   canvas.text(r / 2, "r_2", of_arm);
-  canvas.text({0, 1.02 * arm}, bow < 0 ? "a_2 < 0: turns clockwise" : "a_2 > 0: turns anticlockwise", of_turn);
+  canvas.text({0, 1.02 * arm}, bow < 0 ? "a_2 < 0: a clockwise arrow" : "a_2 > 0: an anticlockwise arrow",
+              of_turn);
 }
 
 }  // namespace
@@ -109,29 +112,29 @@ void triple_product(course::Page& page, const Settings& set) {
   page.formula("d·(ω × r) = ω·(r × d)", R"(d \cdot (\omega \times r) = \omega \cdot (r \times d))");
   page.equation(13);
   page.text(
-      R"(Swapping two factors flips the sign, r × d = −d × r: a common mistake in Jacobians derived by hand. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm, the
-      distance at which the line of d passes the centre.)");
+      R"(The order matters: r × d = −d × r. Writing d × r is a common mistake in Jacobians derived by hand.)");
   page.predict(
       {.ask = course::say(
-           R"(a₂ is the coefficient of ω₂ in (13). Body 2 has the arm r₂ = (@, 0) m, and d = (0, @) m. How large
-                         is a₂?)",
+           R"(Body 2 has the arm r₂ = (@, 0) m, and d = (0, @) m. It turns anticlockwise at 1 rad/s; nothing else
+                         moves. How fast does C change, with its sign? (That is a₂ of (13).))",
            arm, -size),
        .answer = a2,
-       .unit = "m²",
+       .unit = "m²/s",
        .tolerance = 0.05 * area,
-       .wrong = {{-a2, "That is d × r; the step from (12) to (13) gives r × d."},
-                 {0, "d does not pass through the centre, so it has a lever arm."}},
-       .hints = {"If the body turns anticlockwise, does P₂ move along d or against it?",
-                 "a₂ = r₂ × d = r_x d_y − r_y d_x.", course::say("@ · (@) − 0 · 0 = …", arm, -size)},
-       .right = R"(Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so the
-                entry is negative.)"});
+       .wrong = {{-a2, "P₂ rises and d points down. This sign comes from d × r; (13) has r × d."},
+                 {0, "The line of d does not pass through the centre, so P₂ moves along it."}},
+       .hints = {"Which way does P₂ move, along d or against it?",
+                 "a₂ = r₂ × d, in the plane the number r_x d_y − r_y d_x.",
+                 course::say("@ · (@) − 0 · 0 = …", arm, -size)},
+       .right = "P₂ rises, against d: the rod gets shorter, so a₂ is negative."});
+  page.text(
+      R"(In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm, the distance at which the line of
+      d passes the centre.)");
   const Turning turning = entry_over_direction(arm, size);
-  page.figure(
-      "lever",
-      "The line of d passes the centre at the distance of the lever arm; a₂ is |d| times that arm, with a sign.",
-      [oblique = arm_and_rod({arm, 0}, size * Point(0.5, -std::sqrt(0.75)))](renderer::Canvas& canvas) {
-        draw_lever(canvas, canvas.page(0.7).inset(20), oblique);
-      });
+  page.figure("lever", "a₂ is |d| times the lever arm, with a sign.",
+              [oblique = arm_and_rod({arm, 0}, size * Point(0.5, -std::sqrt(0.75)))](renderer::Canvas& canvas) {
+                draw_lever(canvas, canvas.page(0.7).inset(20), oblique);
+              });
   page.text(
       R"(Turn d once round the tip of the arm. At 0° and 180° its line passes through the centre: turning the body does
       not change C, and a₂ is zero. At right angles to the arm |a₂| is largest, @ m²: positive at 90°, negative at

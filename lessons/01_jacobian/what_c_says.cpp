@@ -104,12 +104,12 @@ void what_c_says(course::Page& page, const Settings& set) {
   page.text(
       R"(This course follows one article: R. Gaul, *Modelling and Solving Physical Constraints* (2013). Its equations
       keep their numbers here, (1) to (23). Each is derived, computed by the course's solver and checked; this lesson
-      has (1) to (16) and (23). The article's running example is a rod between two bodies:)");
+      covers (1) to (16) and (23). The article's running example is a rod between two bodies:)");
   page.figure("rod", "P₁ and P₂ are the rod's ends; r₁ and r₂ lead there from the centres of mass.",
               [pair = pair_of(set), sides = box_sides(set), length, stretch](renderer::Canvas& canvas) {
                 canvas.look(renderer::fit({-0.5 * length, -0.5 * length, 2.8 * length + stretch, 1.3 * length},
                                           canvas.page(0.6).inset(12), 8));
-                draw(canvas, pair, sides, true);
+                draw(canvas, pair, sides);
               });
   page.table({"symbol", "meaning", "unit"},
              {{"P₁, P₂", "anchor points: where the constraint holds body 1 and body 2", "m"},
@@ -180,7 +180,7 @@ void what_c_says(course::Page& page, const Settings& set) {
       the rod keeps the bob on one contour of it, C = 0. This lesson is about the slope of the bowl under the bob.)");
   page.figure(
       "landscape",
-      R"(C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0. Arrow: the
+      R"(C as a function of the bob's position. Red is too long, blue too short; on the dashed contour C = 0. Arrow: the
               gradient of C under a bob. Right: C along that line.)",
       [map = landscape(length, mass), along = cut(length, mass)](renderer::Canvas& canvas) {
         const auto [left, right] = canvas.page().inset(12).panels(0.6, 20);
