@@ -67,7 +67,7 @@ void effective_mass(const Setting& setting, Page& page) {
   page.equation(18);
   page.text(
       R"(No program needs this matrix. A particle has one number, m⁻¹; a body that turns has I⁻¹ as well. So a row
-      between two bodies needs at most four terms, and this one needs two:)");
+      between two bodies needs at most four terms; here nothing turns, and two are left:)");
   page.equation(19, "JM⁻¹Jᵀ = |l₁|²·m₁⁻¹ + |l₂|²·m₂⁻¹ = @·@ + @·@ = @ m²/kg",
                 R"(JM^{-1}J^T = |l_1|^2 m_1^{-1} + |l_2|^2 m_2^{-1} = @\cdot @ + @\cdot @ = @\ \mathrm{m^2/kg})",
                 row.J.l1().squaredNorm(), m1, row.J.l2().squaredNorm(), m2, row.K);

@@ -35,7 +35,7 @@ void gravity_after(const Setting& setting, Page& page) {
       The next solve stops it, but gravity comes after the solve again.)");
   page.text(
       R"(With gravity before λ it hangs; with gravity after λ it sinks at gh = @ m/s: @ m in @ s. (17) is right both
-      times, but here the V that it is given lacks the gravity of its step.)",
+      times, but in the second case its V does not yet contain this step's gravity.)",
       gravity() * h, wrong.depth, wrong.time);
   // Each step may round the bob's place by one unit in its last digit.
   const double rounding = 2.3e-16 / h * (setting.length() + wrong.depth);

@@ -11,8 +11,8 @@ void lambda(const Setting& setting, Page& page) {
   const bool pulls = row.lambda < 0;
 
   page.text(
-      R"(The rod reacts with an impulse λJᵀ: λd on the bob and −λd on the fixed point. How large is λ, and which
-      way does it point?)");
+      R"(The rod reacts with an impulse λJᵀ: λd on the bob and −λd on the fixed point. How large is λ, and what is
+      its sign?)");
   if (along != 0) {
     const std::string pull = pulls ? "The rod pulls: it keeps itself from getting longer."
                                    : "That rod would pull. JV is negative: without the rod the distance would "
@@ -20,16 +20,17 @@ void lambda(const Setting& setting, Page& page) {
                       push = pulls ? "That rod would push. JV is positive: without the rod the distance would "
                                      "grow, so it has to pull."
                                    : "The rod pushes: it keeps itself from getting shorter.";
-    page.choose({.ask = say("In the first step JV is @. Which way does λd act on the bob, and which sign has λ?",
-                            pulls ? "positive" : "negative"),
-                 .options = {{"against d, to the fixed point, with λ < 0", pull},
-                             {"against d, with λ > 0", "With λ > 0 the impulse λd points along d."},
-                             {"along d, away from the fixed point, with λ > 0", push},
-                             {"along d, with λ < 0", "With λ < 0 the impulse λd points against d."}},
-                 .answer = pulls ? 0 : 2,
-                 .hints = {say("JV is @: would the rod get longer or shorter?", pulls ? "positive" : "negative"),
-                           "The impulse on the bob has to prevent that. d points from the fixed point to the bob.",
-                           say("It has to point @, and it is λd.", pulls ? "against d" : "along d")}});
+    page.choose(
+        {.ask = say("In the first step JV is @. Which way does λd act on the bob, and what is the sign of λ?",
+                    pulls ? "positive" : "negative"),
+         .options = {{"against d, to the fixed point, with λ < 0", pull},
+                     {"against d, with λ > 0", "With λ > 0 the impulse λd points along d."},
+                     {"along d, away from the fixed point, with λ > 0", push},
+                     {"along d, with λ < 0", "With λ < 0 the impulse λd points against d."}},
+         .answer = pulls ? 0 : 2,
+         .hints = {say("JV is @: would the rod get longer or shorter?", pulls ? "positive" : "negative"),
+                   "The impulse on the bob has to prevent that. d points from the fixed point to the bob.",
+                   say("It has to point @, and it is λd.", pulls ? "against d" : "along d")}});
   } else {
     page.text("You let go at the height of the fixed point, where JV is 0: λ is 0 as well.");
   }

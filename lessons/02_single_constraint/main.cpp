@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
       .mass = lesson.parameter("mass", 3.0, "kg", {0.01, 1000}, "mass of the bob"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
       .angle = lesson.parameter("angle", 30.0, "deg", {0, 180},
-                                "release angle of the first step (steps 1 to 5), from straight down"),
+                                "release angle of the first step (steps 1 to 5 and 7a), from straight down"),
       .release =
           lesson.parameter("release", 90.0, "deg", {5, 170}, "release angle of the swings (steps 5, 7 and 7d)"),
   };
@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
             "After (20) JV = 0 to rounding; of all changes of V that get there, this has the least ½ΔV·MΔV (7a).",
             "JV = 0 keeps the rate zero, not the length: C grows by ½h²v² a step, and with b = 0 energy never "
             "rises."},
-       .tries = {{"Let go above the fixed point: does the rod pull or push, and what sign has λ?",
+       .tries = {{"Let go above the fixed point: does the rod pull or push, and what is the sign of λ?",
                   "./lessons/run single_constraint --set angle=120"},
                  {"A third of the step: compare the drift and the lost energy.",
                   "./lessons/run single_constraint --set h=1/180"},

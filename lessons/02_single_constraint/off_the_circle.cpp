@@ -73,7 +73,7 @@ void off_the_circle(const Setting& setting, Page& page) {
   const Swing steps = swing(weightless(setting), coarse, 8 * coarse);
   page.figure(
       "off_the_circle",
-      say(R"(The same bob, without gravity, in steps of @ s. Each step is at right angles to the rod as it then is, so every step makes
+      say(R"(The same bob, without gravity, in steps of @ s. Each step is at right angles to the rod at that moment, so every step makes
           the rod longer.)",
           coarse),
       [=](Canvas& canvas) { draw_steps(canvas, steps, length); });

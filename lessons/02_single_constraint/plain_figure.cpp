@@ -1,5 +1,7 @@
 #include "lessons/02_single_constraint/plain_figure.hpp"
 
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "lessons/02_single_constraint/plain_step.hpp"
@@ -10,12 +12,12 @@ namespace {
 
 constexpr auto curve_style = renderer::CurveStyle::line;
 
-/// Of a bob of 2 kg that is let go at 53° on a rod of 1 m.
-std::vector<renderer::Curve> curves_of(const Step& step) {
-  constexpr double L = 1, m = 2, g = 9.81, h = time_step;
-  constexpr int steps = 600;
-  Vec2 x{0.8 * L, -0.6 * L}, v;
-  const auto energy = [&] { return m * (dot(v, v) / 2 + g * x.y); };
+std::vector<renderer::Curve> curves_of(const Step& step, const Bob& bob = {}) {
+  const auto [L, m, release, h] = bob;
+  constexpr double g = 9.81;
+  const auto steps = static_cast<int>(std::lround(10 / h));
+  Vec2 x{L * std::sin(release), -L * std::cos(release)}, v;
+  const auto energy = [&, m = m] { return m * (dot(v, v) / 2 + g * x.y); };
   const double first = energy();
   renderer::Curve drift{.label = "C/L²"}, change{.label = "ΔE/(m·g·L)"};
   for (int done = 0; done <= steps; ++done) {
@@ -27,7 +29,7 @@ std::vector<renderer::Curve> curves_of(const Step& step) {
   return {drift, change};
 }
 
-renderer::Chart empty_chart(std::pair<double, double> range) {
+renderer::Chart empty_chart(std::optional<std::pair<double, double>> range = {}) {
   renderer::Chart chart;
   chart.x.label = "time (s)";
   chart.y.label = "C/L², ΔE/(m·g·L)";
@@ -37,15 +39,16 @@ renderer::Chart empty_chart(std::pair<double, double> range) {
 
 }  // namespace
 
-renderer::Chart chart_of(const Step& step) {
-  std::vector<renderer::Curve> curves = curves_of(step);
+renderer::Chart chart_of(const Step& step, const Bob& bob) {
+  std::vector<renderer::Curve> curves = curves_of(step, bob);
   curves[0].colour = renderer::palette::error;
   curves[1].colour = renderer::palette::series(5);
-  return pictures::with_curves(empty_chart({-0.4, 0.35}), std::move(curves), curve_style);
+  return pictures::with_curves(empty_chart(), std::move(curves), curve_style);
 }
 
 renderer::Chart chart_beside_ours(const Step& readers) {
-  return pictures::beside_ours(empty_chart({-1, 1}), curves_of(plain_step), curves_of(readers), curve_style);
+  return pictures::beside_ours(empty_chart(std::pair{-1.0, 1.0}), curves_of(plain_step), curves_of(readers),
+                               curve_style);
 }
 
 }  // namespace byhand::single_constraint

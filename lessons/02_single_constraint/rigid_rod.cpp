@@ -90,12 +90,18 @@ void rigid_rod(const Setting& setting, Page& page) {
   const double end = 1.05 * exact.period();
   const auto rod = swing_rod(setting, start, h, end);
   const Swing bobs = swing(setting, h, end);
-  Curve turned = curve("rod", rod, &RodSample::time, [](const RodSample&s) { return s.angle * 180 / pi; }),
-        swung = curve("bob", bobs, &Sample::time, [](const Sample&s) { return s.angle() * 180 / pi; });
+  const double shown = std::min(end, 4.0);  // of the film [s]
+  const auto in_film = [&](auto samples) {
+    std::erase_if(samples, [&](const auto& sample) { return sample.time > shown + 1e-9; });
+    return samples;
+  };
+  Curve turned =
+            curve("rod", in_film(rod), &RodSample::time, [](const RodSample&s) { return s.angle * 180 / pi; }),
+        swung = curve("bob", in_film(bobs), &Sample::time, [](const Sample&s) { return s.angle() * 180 / pi; });
   turned.colour = rigid;
   swung.colour = palette::constraint;
-  const Curve rod_exact = pictures::theory("exact", 0, end, [&](double t) { return exact.angle(t) * 180 / pi; }),
-              bob_exact = pictures::theory("", 0, end, [&](double t) { return bob.angle(t) * 180 / pi; });
+  const Curve rod_exact = pictures::theory("exact", 0, shown, [&](double t) { return exact.angle(t) * 180 / pi; }),
+              bob_exact = pictures::theory("", 0, shown, [&](double t) { return bob.angle(t) * 180 / pi; });
   const Chart chart{
       .x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {turned, swung, rod_exact, bob_exact}};
 
@@ -103,7 +109,7 @@ void rigid_rod(const Setting& setting, Page& page) {
                 "The same length and mass, let go together: a bob on a massless rod (blue) and a rigid rod "
                 "(olive), which swings "
                 "as fast as a bob on two thirds of its length would.",
-                Seconds{std::min(end, 4.0)}, [=](Canvas& canvas, double time) {
+                Seconds{shown}, [=](Canvas& canvas, double time) {
                   draw_both(canvas, at(bobs, time), at(rod, time), length, chart);
                 });
 

@@ -73,10 +73,10 @@ void ten_seconds(const Setting& setting, Page& page) {
        .hints = {"What does an impulse that makes JV = 0 do to the part of V along d?",
                  "Kinetic energy is ½m(v_along² + v_across²).", "v_along becomes 0, v_across stays."}});
 
-  page.figure("plain_step",
-              R"(These seven lines swing a bob of 2 kg, let go at 53° on a rod of 1 m, with h = 1/60 s: C
-              never falls, and the energy never rises.)",
-              chart_of(plain_step));
+  page.figure(
+      "plain_step",
+      say("The seven lines, @ s from @°: C never falls, and the energy never rises.", seconds, setting.release()),
+      chart_of(plain_step, {.L = length, .m = mass, .release = radians(setting.release()), .h = h}));
   page.text(
       R"(The solver does the same for any bodies and constraints (`advance` in solver/step.cpp). Here are its @ seconds
       from @°, with C of (2) beneath.)",
@@ -89,8 +89,7 @@ void ten_seconds(const Setting& setting, Page& page) {
           {.label = "", .x = each(run, &Sample::time), .y = each(run, &Sample::C), .colour = palette::error}}};
   page.sequence(
       "ten_seconds",
-      R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C never falls, and grows fastest where the
-          bob is fast.)",
+      "Blue: the article's step with b = 0. Dashed: the exact pendulum. C grows fastest where the bob is fastest.",
       Seconds{seconds},
       [film = Film{run, exact, length, C}](Canvas& canvas, double time) { film.draw(canvas, time); });
 
@@ -117,11 +116,11 @@ void ten_seconds(const Setting& setting, Page& page) {
 
   say_where_else(page);
   page.measure("rod after ten seconds", 100 * stretch, "% too long");
-  page.measure("energy after ten seconds", change / scale, "m·g·L");
+  page.measure("change of energy in ten seconds", change / scale, "m·g·L");
 
   Vec2 x{first.position.x(), first.position.y()}, v{first.velocity.x(), first.velocity.y()};
   for (std::size_t i = 0; i + 1 < run.size(); ++i) plain_step(x, v, mass, {0, -gravity()}, h);
-  page.claim("place after ten seconds: the seven lines against the solver",
+  page.claim("position after ten seconds: the seven lines against the solver",
              (Vector(x.x, x.y) - last.position).norm(), "m",
              is(0, "the same step; its rounding grows with the number of steps",
                 absolute(1e-11 * static_cast<double>(run.size()) * last.position.norm())));
@@ -136,7 +135,8 @@ void ten_seconds(const Setting& setting, Page& page) {
              is_at_most(1e-13 * scale * (last.position.norm() / length), "−½m|ΔV|² ≤ 0, but for rounding"));
   page.claim("C at the end", last.C, "m²",
              is(0.5 * h * h * squares, "½h²·Σ|v|² over all steps", absolute(1e-11 * length * length)));
-  page.claim("energy at the end", change, "J", is(-thrown, "−½m·Σ|ΔV|² over all steps", absolute(1e-11 * scale)));
+  page.claim("change of energy in ten seconds", change, "J",
+             is(-thrown, "−½m·Σ|ΔV|² over all steps", absolute(1e-11 * scale)));
   const double ratio = gravity() / length * h * h;
   const double half = swing(setting, h / 2, 2).back().C, whole = swing(setting, h, 2).back().C;
   // from near the top, lost energy shifts the swing

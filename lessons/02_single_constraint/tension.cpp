@@ -59,7 +59,7 @@ void tension(const Setting& setting, Page& page) {
   };
   const auto shown = [&](double step) { return course::without_rounding(pull(step), weight); };
   page.text(
-      R"(An impulse is a force times the time for which it acts: half the step, half the λ. So λ|d|/h is the force along
+      R"(Half the step, half the λ: an impulse grows with the time it acts. So λ|d|/h is the force along
       d, and −λ|d|/h is the tension of the rod. In the first step from @°:
 
       - with h = @ s the tension is @ N

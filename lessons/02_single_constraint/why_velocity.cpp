@@ -30,7 +30,7 @@ void why_velocity(const Setting& setting, Page& page) {
             .y = {.label = "|C| (m²)", .scale = Scale::logarithmic},
             .curves = {left}});
   page.text(
-      R"(After one move @ m² of @ m² are left, after two @ m². But the bob keeps its
+      R"(After one move @ m² of the @ m² is left, after two moves @ m². But the bob keeps its
       velocity: if it moves outwards, it is off the circle again one step later, unless V is corrected too.
       Position-based dynamics does that by V = Δx/h; this course, like the article, solves JV = 0 and corrects what
       drift is left (lesson 4). JV = 0 for all rows is a linear system; C = 0 for all rows is not.)",

@@ -29,10 +29,12 @@ struct StepFilm {
       const auto [sin, cos] = sin_cos(arc * i / 40);
       circle.emplace_back(Vector(cos * bob.x() - sin * bob.y(), sin * bob.x() + cos * bob.y()));
     }
+    canvas.clip(left);
     canvas.path(circle, {palette::theory, 1.6, Dash::dotted});
     const Stroke guide{palette::muted, 1.5, Dash::dashed};
     canvas.line(bob, bob + 0.5 * length * along, guide);
     canvas.line(bob - 0.62 * length * across, bob + 0.62 * length * across, guide);
+    canvas.clip({});
     pictures::draw(canvas, {.bobs = {{now, 1}}, .rods = {{{0, 0}, now}}, .anchors = {{0, 0}}});
 
     const bool solved = acts.share(3, time) > 0;
@@ -65,7 +67,8 @@ void within_a_step(const Setting& setting, Page& page) {
                     course::without_rounding(sum.y(), row.v2.norm()));
   const std::string fate = rate > 0 ? "longer" : rate < 0 ? "shorter" : "";
   const pictures::Acts acts(
-      {{say("V = gh = @ m/s", Value(row.v2.norm(), 3)), "Gravity adds gh to V, straight down.", palette::velocity},
+      {{say("|V| = gh = @ m/s", Value(row.v2.norm(), 3)), "Gravity adds gh to V, straight down.",
+        palette::velocity},
        {say("JV/|d| = @ m/s", Value(rate, 3)),
         rate == 0 ? "V has no part along d: JV = 0." : say("The part of V along d: the rod would get @.", fate),
         palette::error},
@@ -73,7 +76,7 @@ void within_a_step(const Setting& setting, Page& page) {
         rate == 0 ? "There is nothing to remove: λ = 0."
                   : say("λ takes away that part and no more: the rod @.", impulse < 0 ? "pulls" : "pushes"),
         palette::force},
-       {say("V + M⁻¹J^Tλ = @ m/s", Value(left.norm(), 3)),
+       {say("|V + M⁻¹J^Tλ| = @ m/s", Value(left.norm(), 3)),
         left.norm() > 0 ? say("@ along the tangent, at a right angle to d.",
                               rate == 0 ? "V already lies" : "What is left of V lies")
                         : "Nothing is left of V.",
