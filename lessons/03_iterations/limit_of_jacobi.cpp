@@ -59,7 +59,8 @@ double mu(int rods) {
 
 void limit_of_jacobi(Page& page, const Knobs& knobs) {
   page.text(
-      R"(On a chain Jacobi is slow; on other scenes it can diverge. Hang *one* square box of @ kg on several parallel rods.
+      R"(On a chain Jacobi is slow; on other scenes it can diverge. Hang *one* square box of @ kg on several vertical rods, evenly
+      spaced along its top edge.
       Each row sees the falling box and corrects all of its own error; then all impulses act at once. With two or
       three rods that still works; with four the correction is far too large:)",
       knobs.mass);
@@ -93,7 +94,8 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
                    {"it shrinks if |1 − μ| < 1", "0 < μ < 2", R"(0 < \mu < 2)"}});
   page.text(
       R"(The largest eigenvalue μ of D⁻¹A decides, where D is the diagonal of A: each sweep multiplies its error by 1 − μ,
-      so for μ > 2 it grows. For the box μ is @ with 3 rods and @ with 4. On a chain μ is below 2. The cure is to apply
+      so for μ > 2 it grows. For the box it is Σ 1/(1 + mx²/I), with x a rod's distance from the
+      middle and I the moment of inertia: @ with 3 rods, @ with 4. On a chain μ is below 2. The cure is to apply
       only a fraction w of each change (*relaxation*): w < 2/μ, which is @ for 4 rods. Gauss–Seidel needs no cure: the
       second row sees what the first has done.)",
       Value(mu(3), 3), Value(mu(4), 3), Value(2 / mu(4), 3));

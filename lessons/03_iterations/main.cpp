@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
            {"(17) is exact for one row; for rows that share bodies it is one step of Gauss–Seidel.",
             R"(A sweep multiplies a chain's slowest error by cos²(π/2N), in any order: a chain twice as long needs
             about four times as many sweeps.)",
-            "A warm start lets sweeps accumulate over the steps; the error then falls by √q a step and rings.",
+            "A warm start lets sweeps add up over the steps: each step multiplies the error by √q, and it rings.",
             "Too few sweeps make a chain soft, by an amount that can be computed.",
             "Solving all rows of a chain at once costs as much as a few sweeps and leaves only rounding error."},
        .tries = {{"A chain twice as long; look at the sweeps per digit:", "./lessons/run 3 --set links=20"},

@@ -151,7 +151,7 @@ void many_sweeps(Page& page, const Knobs& knobs) {
                                       .say = "Here the guess is no better than none, because so few sweeps leave "
                                              "oscillations (step 6)."}})));
   const double farthest = *std::ranges::max_element(digits, {}, [&](double of) { return std::abs(of - digit); });
-  page.claim("sweeps for one more digit, the farthest of three orders", farthest, "1",
+  page.claim("sweeps for one more digit, the worst of three orders", farthest, "1",
              is(digit, "ρ = cos²(π/2N)", relative(same)));
   page.claim("the same for Jacobi", jacobi, "1", is(2 * digit, "its factor is √ρ", relative(same)));
 }

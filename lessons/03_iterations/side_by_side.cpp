@@ -117,6 +117,15 @@ void draw_runs(renderer::Canvas& canvas, const std::vector<Run>& runs, const ren
   canvas.look_at_page();
 }
 
+/// How far two chains whose stretch was largest `peak` [s] are stretched at the end [mm], unless that is said
+/// already.
+std::string at_the_end(const Value& sweeps, const Value& direct, double peak) {
+  if (peak > 0.99 * film_seconds) return {};
+  return sweeps.plain() == direct.plain()
+             ? say("At @ s both are stretched by @ mm.", film_seconds, direct)
+             : say("At @ s its stretch is @ mm, the direct chain's @ mm.", film_seconds, sweeps, direct);
+}
+
 }  // namespace
 
 void side_by_side(Page& page, const Knobs& knobs) {
@@ -158,9 +167,9 @@ void side_by_side(Page& page, const Knobs& knobs) {
       knobs.warm() ? "warm" : "cold");
   page.sequence(
       "sweeps_side_by_side",
-      say(R"(The same chain of @ links with @, @, @ and @ sweeps a step, and solved directly. Below: the largest
-          stretch of any link. Dashed: the reach of an inextensible chain.)",
-          knobs.links, compared_sweeps[0], compared_sweeps[1], compared_sweeps[2], compared_sweeps[3]),
+      say(R"(@, @, @ and @ sweeps a step, and solved directly. Below: the largest stretch of any link. Dashed:
+          the reach of an inextensible chain.)",
+          compared_sweeps[0], compared_sweeps[1], compared_sweeps[2], compared_sweeps[3]),
       Seconds{film_seconds}, [=, runs = runs](renderer::Canvas& canvas, double time) mutable {
         for (Run& run : runs)
           while (run.chain.time < time - 0.5 * h && run.chain.time < run.lost_at) run.chain.step(h);
@@ -182,40 +191,37 @@ void side_by_side(Page& page, const Knobs& knobs) {
   if (std::isinf(direct.lost_at) && std::abs(worst(most_sweeps) / worst(direct) - 1) < 0.1 &&
       std::abs(peak_at(most_sweeps) - both_at) < 0.1)
     page.text(
-        R"(With @ the largest stretch is no longer the sweeps' fault: at @ s the direct solve stretches as far. After
-        @ s @ leave @ mm, the direct solve @ mm.)",
-        several(compared_sweeps.back(), "sweep"), Value(both_at, 2), film_seconds,
-        several(compared_sweeps.back(), "sweep"), Value(most_sweeps.stretch.y.back(), 2),
-        Value(direct.stretch.y.back(), 2));
+        "With @ the largest stretch is no longer the sweeps' fault: at @ s the direct solve stretches as far. @",
+        several(compared_sweeps.back(), "sweep"), Value(both_at, 2),
+        at_the_end(Value(most_sweeps.stretch.y.back(), 2), Value(direct.stretch.y.back(), 2), both_at));
   const bool softer = worst(fewest) > 1.1 * worst(direct);
-  if (knobs.warm()) {
+  if (knobs.warm() && knobs.beta > 0) {
     std::vector<double> limits;
     for (const int sweeps : compared_sweeps)
       limits.push_back(laws::largest_beta(laws::left_by_sweeps(knobs.links, sweeps)));
     const auto beyond = std::count_if(limits.begin(), limits.end(), [&](double at) { return at < knobs.beta; });
     page.text(
-        R"(For warm starts the limit of lesson 4, step 6b, decides, (1 − q)/q or 2: @ for these sweeps. Here β = @: @)",
+        R"(With a warm start β must stay below min((1 − q)/q, 2) (lesson 4, step 6b): @ for these sweeps. β = @ is @)",
         limits, knobs.beta,
-        beyond == 0
-            ? std::string("none of the four is beyond its limit.")
-            : say("@ beyond the limit, where the correction makes the chain ring instead of bringing it to rest.",
-                  beyond == 1   ? std::string("one of the four is")
-                  : beyond == 4 ? std::string("all four are")
-                                : say("@ of the four are", beyond)));
+        beyond == 0 ? std::string("below all four.")
+                    : say("above @; there the correction makes the chain ring instead of bringing it to rest.",
+                          beyond == 1   ? std::string("the first")
+                          : beyond == 4 ? std::string("all four")
+                                        : std::string(beyond == 2 ? "the first two" : "the first three")));
   } else if (std::isfinite(direct.lost_at)) {
     page.text("Here even the chain whose rows are solved exactly flies apart, so sweeps are not the reason.");
-  } else if (softer && knobs.beta > 0) {
+  } else if (!softer) {
+    page.text("On this chain even @ a step stretches it hardly more than the direct solve does.",
+              several(compared_sweeps.front(), "sweep"));
+  } else if (knobs.beta > 0) {
     page.text(
         R"(Few sweeps make the chain *soft*, like a rubber band, by an amount that can be computed. Where the chain hangs
         still, the correction must make up in each step for what the sweeps leave: a bias of the same size meets the
         speed of stretching s of step 6, (β/h)C/|d| = s. So the worst link is too long by about s·h/β.)");
-  } else if (softer) {
+  } else if (!knobs.warm()) {
     page.text(
         R"(With β = 0 nothing pulls stretched links back: with few sweeps the links separate at the speed s of step 6 and
-        keep parting.)");
-  } else {
-    page.text("On this chain even @ a step stretches it hardly more than the direct solve does.",
-              several(compared_sweeps.front(), "sweep"));
+        go on separating.)");
   }
   for (const int sweeps : compared_sweeps) {
     if (knobs.warm() || knobs.beta < 0.01) break;  // nothing is settled

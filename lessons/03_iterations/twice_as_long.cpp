@@ -68,18 +68,16 @@ void twice_as_long(Page& page, const Knobs& knobs) {
        .unit = "sweeps",
        .tolerance = 0.12 * twice,
        .wrong = {{2 * once,
-                  "It would, if an error moved along the chain in one direction; it goes up and down at "
-                  "random."},
+                  "Errors do not travel in one direction: each row sends half up and half down, so they wander."},
                  {once,
                   "Each sweep does touch every row once, but a row passes an error on only to its neighbours."}},
        .hints = {"A row passes its error on to the joints above and below. How far does it get in n sweeps?",
                  "A random walk gets about √n joints far in n steps.",
                  "To get twice as far, √n must double: n grows by a factor of 4."},
        .hinted = 4 * once,
-       .right =
-           say(R"(@ times as many: errors spread like a random walk, which needs about N² sweeps to cross N joints
+       .right = say(R"(@ times as many: errors spread like a random walk
                     (exactly 4 times only for long chains).)",
-               Value(twice / once, 3))});
+                    Value(twice / once, 3))});
   page.text(
       R"(Take Jacobi, the simplest. Let eᵢ be the error of joint i's λ. Solving row i by (17) makes λᵢ right *for what its
       neighbours do now*, so afterwards its error is the mean of theirs:)");
@@ -110,7 +108,7 @@ void twice_as_long(Page& page, const Knobs& knobs) {
           joints, half, Value(widths[0], 3), Value(widths[1], 3), Value(widths[2], 3)),
       walk);
   page.text(
-      R"(The last error to disappear is the smoothest one, a quarter of a wave from anchor to free end. Jacobi
+      R"(The last error to disappear is the smoothest one, a quarter of a wave from anchor to free end: the *slow wave*. Jacobi
       multiplies it by cos(π/2N). Gauss–Seidel uses each new value at once and does two of Jacobi's sweeps
       in one: cos²(π/2N), in any order of the rows.)");
   page.derivation(

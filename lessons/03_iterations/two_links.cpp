@@ -116,13 +116,12 @@ void two_links(Page& page, const Knobs& knobs) {
       while the others wait. For many rows it is one step of a method that goes round and round: *Gauss–Seidel*. One
       round over all rows is a *sweep*. For a hanging chain, in the plainest code:)");
   page.excerpt("lessons/03_iterations/plain_sweep.cpp", "sweep");
-  page.figure(
-      "plain_sweep",
-      R"(All bobs of a chain begin to fall at gh. How fast the fastest one still falls after each sweep of this code.)",
-      chart_of(plain_sweep));
+  page.figure("plain_sweep",
+              "All bobs of a chain begin to fall at gh. The largest error after each sweep of this code.",
+              chart_of(plain_sweep));
   page.text(
-      R"(*The article calls the method Sequential Impulses and offers (17) for "the system"; in fact one use of (17) solves
-      one row.* The solver's inner loop (`sweep_run` in solver/rows/gauss_seidel.cpp) does the same for rows of all
+      R"(*The article calls the method Sequential Impulses. Of (19) it says "We calculate it for a
+      system"; but (17) and (19) both serve one row.* The solver's inner loop (`sweep_run` in solver/rows/gauss_seidel.cpp) does the same for rows of all
       kinds.)");
 
   constexpr int rounds = 10;
@@ -130,8 +129,8 @@ void two_links(Page& page, const Knobs& knobs) {
   for (int i = 0; i < rounds; ++i) many.solve_sweep();
   const double after = many.errors()[0] / fall;
   page.text(
-      R"(Each sweep halves the error. After @ sweeps @ gh remain, and the two rods carry @ and @ of the weight. Sweeps
-      converge; this lesson asks how fast.)",
+      R"(With two links each sweep halves the error. After @ sweeps @ gh remain, and the two rods carry @ and @ of the
+      weight. Longer chains converge more slowly; this lesson asks how fast.)",
       rounds, after, many.shares()[0], many.shares()[1]);
   const ChainOptions longer = knobs.chain(5);
   HeldStep solver(longer, h);

@@ -116,11 +116,11 @@ void warm_start(Page& page, const Knobs& knobs) {
   const Condition lawful = both(visible, Quantity("Ngh²/L", slack) < 0.1);
 
   page.text(
-      R"(A simulation does not sweep until it has converged: it makes @ a step and moves on. For k = @ the slow wave of step 5
-      then keeps the fraction q = ρᵏ@ of its size. Let the chain hang like that for some seconds, without any
-      correction of positions, once *cold* (each step begins at λ = 0) and once *warm* (each begins with the λ of the
+      R"(A simulation does not sweep until it has converged: it makes k sweeps a step, here @, and moves on. They leave the
+      fraction q = ρᵏ@ of the slow wave. Let the chain hang like that for some seconds, without any correction of
+      positions, once *cold* (each step begins at λ = 0) and once *warm* (each begins with the λ of the
       last).)",
-      several(k, "sweep"), k, q < 1e-11 ? say(", less than 10⁻¹¹,") : say(" = @", Value(q, 4)));
+      k, q < 1e-11 ? say(", less than 10⁻¹¹,") : say(" = @", Value(q, 4)));
 
   const Chain settled = settled_cold(knobs, visible ? q : 0.01);
   const double rate = largest(stretching(settled));
@@ -195,16 +195,16 @@ void warm_start(Page& page, const Knobs& knobs) {
     page.formula("sₙ₊₁ = q (2sₙ − sₙ₋₁),   so |sₙ| falls by √q a step",
                  R"(s_{n+1} = q\,(2s_n - s_{n-1}), \qquad |s_n| \sim \sqrt{q}^{\,n})");
   page.derivation("What a warm start leaves",
-                  {{"step n: V brings sₙ₋₁ and gravity adds g′, the sweeps end with λₙ", "sₙ = sₙ₋₁ + g′ − Aλₙ",
-                    R"(s_n = s_{n-1} + g' - A\lambda_n)"},
-                   {"step n + 1 begins with sₙ in V and with λₙ", "before its sweeps: sₙ + g′ − Aλₙ = 2sₙ − sₙ₋₁",
-                    R"(s_n + g' - A\lambda_n = 2s_n - s_{n-1})"},
+                  {{"step n: V brings sₙ₋₁ and gravity adds g′, the sweeps end with λₙ", "sₙ = sₙ₋₁ + g′ + Aλₙ",
+                    R"(s_n = s_{n-1} + g' + A\lambda_n)"},
+                   {"step n + 1 begins with sₙ in V and with λₙ", "before its sweeps: sₙ + g′ + Aλₙ = 2sₙ − sₙ₋₁",
+                    R"(s_n + g' + A\lambda_n = 2s_n - s_{n-1})"},
                    {"the sweeps multiply it by q", "sₙ₊₁ = q(2sₙ − sₙ₋₁)", R"(s_{n+1} = q(2s_n - s_{n-1}))"},
                    {"try sₙ = zⁿ", "z² − 2qz + q = 0, z = q ± i√(q(1 − q)), |z| = √q",
                     R"(z^2 - 2qz + q = 0, \quad z = q \pm i\sqrt{q(1-q)}, \quad |z| = \sqrt q)"}});
   page.text(
-      R"(So a single warm sweep does less than a cold one: it multiplies the wave by √ρ, not ρ. But warm sweeps add up, and cold
-      ones start again.)");
+      R"(Each sweep still multiplies the error by ρ. But a warm step begins with 2sₙ − sₙ₋₁, beyond sₙ: on average a warm
+      sweep multiplies the wave only by √ρ. Yet warm sweeps add up, and cold ones start again.)");
 
   constexpr double drawn = 1e-9;  // the least error worth drawing [gh]
   double least = INFINITY;
@@ -231,20 +231,19 @@ void warm_start(Page& page, const Knobs& knobs) {
   while (last.time < seconds) last.step(knobs.h);
   const double pitch = knobs.length, depth = 0.6 * pitch - last.scene.bodies().pose.back().position.y();
   if (worst > 10 * drawn)
-    page.sequence(
-        "cold_and_warm",
-        say(R"(The same chain with @ a step, cold and warm, without any correction of positions; both began at @ m.
+    page.sequence("cold_and_warm",
+                  say(R"(The same chain with @ a step, cold and warm; both began at @ m.
           Right: the largest error over time@.)",
-            several(k, "sweep"), n * knobs.length, law_shown ? ", dashed the law √qⁿ" : ""),
-        Seconds{seconds}, [=, cold = cold, warm = warm](renderer::Canvas& canvas, double time) mutable {
-          while (cold.time < time - 0.5 * knobs.h) {
-            cold.step(knobs.h);
-            warm.step(knobs.h);
-          }
-          const auto [left, right] = canvas.page().inset(16).panels(0.36, 16);
-          draw_chains(canvas, cold, warm, depth, pitch, left);
-          draw(canvas, pictures::grown_to(chart, time), right.lowered(40));
-        });
+                      several(k, "sweep"), n * knobs.length, law_shown ? ", dashed the law √qⁿ" : ""),
+                  Seconds{seconds}, [=, cold = cold, warm = warm](renderer::Canvas& canvas, double time) mutable {
+                    while (cold.time < time - 0.5 * knobs.h) {
+                      cold.step(knobs.h);
+                      warm.step(knobs.h);
+                    }
+                    const auto [left, right] = canvas.page().inset(16).panels(0.36, 16);
+                    draw_chains(canvas, cold, warm, depth, pitch, left);
+                    draw(canvas, pictures::grown_to(chart, time), right.lowered(40));
+                  });
   else
     page.text("With @ a step neither chain shows an error worth drawing.", several(k, "sweep"));
   const double arrived = std::pow(q, 0.5 / knobs.h);
@@ -269,7 +268,7 @@ void warm_start(Page& page, const Knobs& knobs) {
                is(textbook_cold_errors(knobs.chain(), k, fall).cwiseAbs().maxCoeff(),
                   "(1 − Sᵏ)⁻¹Sᵏ gh, S: the iteration matrix of one sweep", relative(1e-6)),
                visible);
-  page.claim("cold: force at the top joint all the same", carried, "N",
+  page.claim("cold: force at the top joint nevertheless", carried, "N",
              is(knobs.weight(), "nothing speeds up any more", relative(1e-6)));
 }
 
