@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "lessons/page/words.hpp"
 
 namespace byhand::course {
 namespace {
+
+constexpr std::array<std::string_view, 5> signs{" = ", " < ", " ≤ ", " > ", " ≥ "};
 
 /// "0.5 m"; "120°", "5 %".
 std::string with_unit(double value, const std::string& unit) {
@@ -27,11 +32,24 @@ Condition compared(bool met, const Quantity& a, const char* sign, const Quantity
   return {met, fmt::format("{} {} {}", a.symbol, sign, limit.symbol), found(a) + ", " + found(limit)};
 }
 
-/// Both, each once.
-std::string joined(const std::string& one, const std::string& between, const std::string& other) {
-  const bool repeats = (between + one + between).find(between + other + between) != std::string::npos;
+/// "β = 0.2", unlike a part of a symbol such as "time stood, cold".
+bool compares(const std::string& words) {
+  return std::any_of(signs.begin(), signs.end(),
+                     [&](std::string_view sign) { return words.find(sign) != std::string::npos; });
+}
+
+/// Both, each once: without what `other` begins with if that is in `one`.
+std::string joined(const std::string& one, const std::string& between, std::string other) {
+  const std::string all = between + one + between;
+  std::size_t again = 0;
+  for (auto end = other.find(between); end != std::string::npos; end = other.find(between, end + 1)) {
+    const std::string begins = other.substr(0, end);
+    if (compares(begins) && all.find(between + begins + between) != std::string::npos)
+      again = end + between.size();
+  }
+  other.erase(0, again);
   if (one.empty()) return other;
-  return other.empty() || repeats ? one : one + between + other;
+  return other.empty() || all.find(between + other + between) != std::string::npos ? one : one + between + other;
 }
 
 }  // namespace

@@ -62,6 +62,9 @@ TEST(Condition, WhereNeedsAllOfThemEitherNeedsOne) {
   EXPECT_FALSE(all);
   EXPECT_EQ(all.words, "β ≤ 2, N ≤ 12, N ≥ 6");
   EXPECT_EQ(all.found, "β = 1.8, N = 5") << "a number is printed once";
+  EXPECT_EQ(both(beta <= 2, beta < Quantity("limit", 1.9)).found, "β = 1.8, limit = 1.9");
+  const Quantity stood("stood, cold", 5);
+  EXPECT_EQ(both(stood < 7, stood < 6).words, "stood, cold < 7, stood, cold < 6");
   const Condition one = either(beta <= 1.5, both(beta <= 2, links <= 12));
   EXPECT_TRUE(one);
   EXPECT_EQ(one.words, "β ≤ 1.5, or β ≤ 2, N ≤ 12");
