@@ -59,6 +59,18 @@ struct Slope {
   Simulation<PlaneBody> box;
 };
 
+/// The contacts' impulses at the lower corners as they are now; the contacts were found a step ago.
+std::vector<pictures::Push> forces_now(const Slope& slope) {
+  std::vector<pictures::Push> forces = pictures::pushes(slope.box);
+  if (forces.size() != 2) return forces;
+  const Point along(std::cos(slope.angle), -std::sin(slope.angle)), up(-along.y(), along.x());
+  if (along.dot(forces[1].at - forces[0].at) < 0) std::swap(forces[0], forces[1]);
+  const Point below = slope.box.scene.bodies().pose[1].position - 0.5 * sides.y() * up;
+  forces[0].at = below - 0.5 * sides.x() * along;
+  forces[1].at = below + 0.5 * sides.x() * along;
+  return forces;
+}
+
 void draw_slope(Canvas& canvas, const Slope& slope, const Rectangle& frame, const Rectangle& world, double weight,
                 double h, int number) {
   canvas.look_at_page();
@@ -73,8 +85,7 @@ void draw_slope(Canvas& canvas, const Slope& slope, const Rectangle& frame, cons
   pictures::Shapes shapes = pictures::shapes_of(slope.box.scene);
 
   pictures::draw(canvas, shapes);
-  if (slope.box.time > 0)
-    pictures::draw(canvas, pictures::pushes(slope.box), {palette::force, 0.9 / (weight * h), "mg"});
+  if (slope.box.time > 0) pictures::draw(canvas, forces_now(slope), {palette::force, 0.9 / (weight * h), "mg"});
   canvas.vector(slope.box.scene.bodies().pose[1].position, Point(0, -weight), {palette::muted, 0.9 / weight, "N"});
   canvas.clip({});
   canvas.look_at_page();
@@ -85,12 +96,12 @@ Chart ways_over_time(const std::vector<Slope>& slopes, double friction, double h
   std::vector<Curve> laws;
   for (Slope slope : slopes) {
     Curve run{.label = say("@°", Value(degrees(slope.angle), 3))}, law{.style = CurveStyle::theory};
-    run.style = CurveStyle::markers;
+    run.style = CurveStyle::line_and_markers;
     const int every = std::max(1, static_cast<int>(std::round(0.1 / h)));
     for (int step = 0; slope.box.time < slide_seconds + 0.5 * h; slope.box.step(h), ++step) {
       law.x.push_back(slope.box.time);
       law.y.push_back(law_of_sliding(slope.angle, friction, slope.box.time, h));
-      if (step % every != 0) continue;
+      if (const bool last = slope.box.time > slide_seconds - 0.5 * h; step % every != 0 && !last) continue;
       run.x.push_back(slope.box.time);
       run.y.push_back(slid(slope.box, slope.angle));
     }
@@ -170,7 +181,7 @@ void sticks_or_slides(const Setting& setting, Page& page) {
           while (slopes[i].box.time < time - 0.5 * h) slopes[i].box.step(h);
           draw_slope(canvas, slopes[i], frames[i], world, mass * gravity, h, static_cast<int>(i));
         }
-        renderer::draw(canvas, pictures::grown_to(ways, time), under);
+        renderer::draw(canvas, pictures::grown_to(ways, slopes.front().box.time), under);
       });
   page.text(
       R"(The limit is sharp. At 0.999 of that angle the box has moved only by rounding after a second; at 1.001 of it,
