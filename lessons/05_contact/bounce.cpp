@@ -221,13 +221,14 @@ void bounce(const Setting& setting, Page& page) {
   page.excerpt("solver/contact/restitution.hpp", "parting");
   page.text(
       R"(The solver's highest peak with e = 1 is at @ m. The steps of a fall from rest lie on a parabola whose top is
-      gh²/8 = @ m above the start, so the ball should return to @ m, and a step may miss that top by as much again. With
+      gh²/8 = @ m above the start, so the ball should return to @ m, and a step may miss that top by as much again. It lags, too: it waits on
+      the ground until the step ends. With
       e = @ each bounce keeps the share e of the speed, and so e² of the height:)",
       Value(*std::max_element(own.begin(), own.end()), 6), Value(gravity * h * h / 8, 2),
       Value(drop + gravity * h * h / 8, 6), setting.restitution);
   page.figure("peaks",
               say(R"(Peaks after each bounce, e = @, dropped from @ m. Dashed: e²ⁿ of that. The solver's ball
-                  comes to rest once it meets the ground at @ m/s or less.)",
+                  comes to rest once it meets the ground at @ m/s or less; a flight shorter than a step has no peak.)",
                   setting.restitution, setting.drop, bounce_threshold),
               peaks_over_bounces(setting));
 

@@ -249,7 +249,7 @@ void deep_contact(const Setting& setting, Page& page) {
   if (pop_by_steps(std::min(1.0, 2 * beta), h) < deepest)
     page.figure(
         "pop_over_depth",
-        say("How high a box rises above the ground, over its depth at first, h = @ s. Lines: a throw at βd/h.",
+        say("How high a box rises above the ground, against its initial depth, h = @ s. Lines: a throw at βd/h.",
             setting.h),
         peaks(setting));
   page.text(R"(Four cures are in use.
@@ -283,7 +283,7 @@ void deep_contact(const Setting& setting, Page& page) {
   page.measure("peak above the ground", highest, "m");
   page.claim("speed at which it leaves", leaves_at, "m/s", is(speed, "βd/h, (22)", relative(1e-12)));
   const Condition shallow_law = Quantity("1.5 (1 − β/2)·2gh²/β²", 1.5 * law, "m") < deepest;
-  const double popped = shallow_law ? measured_pop(beta, h) : 0;
+  const double popped = shallow_law ? measured_pop(beta, h) : NAN;
   page.claim("depth from which it pops off the ground", popped, "m",
              is(by_steps, "a throw at βd/h, step by step", absolute(1e-6 * by_steps + 1e-10)), shallow_law);
   const double u = 2 / beta - 1;

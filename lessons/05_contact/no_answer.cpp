@@ -92,7 +92,7 @@ void no_answer(const Setting& setting, Page& page) {
        .hints = {"How much does λₙ lift the tip by itself, and how much does μλₙ sink it?",
                  "1 + 3cos²θ = 3μ sinθ cosθ.", "(1 + 3 · 0.2)/(3 · 0.4) = …"},
        .right = "4/3; every other angle needs more. Rubber reaches that."});
-  Chart chart{.x = {.label = "θ from level (°)"}, .y = {.label = "lift of the tip per unit of λₙ (over 1/mass)"}};
+  Chart chart{.x = {.label = "θ from level (°)"}, .y = {.label = "lift of the tip per unit of λₙ, times m"}};
   for (const double friction : {0.5, 1.0, 4.0 / 3, 2.0}) {
     Curve curve{.label = say("μ = @", Value(friction, 3))};
     for (int degree = 2; degree <= 88; degree += 2) {
