@@ -11,12 +11,17 @@ namespace {
 using Held = Simulation<PlaneBody>;
 
 constexpr double swing_seconds = 1.7, drift_seconds = 5;  // of the film, of the drift [s]
-constexpr int shown_sweeps = 10;
 
 Held held_box(const Setting& setting, double side, double angle, int sweeps, BlockSolve solve, DriftCure drift,
               bool warm = false) {
   return {box_on_an_arm(side, setting.length, angle),
           {GaussSeidel{.sweeps = sweeps, .warm_start = warm, .block_solve = solve}, drift}};
+}
+
+/// From the pin to the end of the arm [m].
+double off(const Held& box) {
+  const Pose<PlaneBody>& pose = box.scene.bodies().pose[1];
+  return (pose.position + in_world<PlaneBody, double>(pose, box.scene.all<Pin>()[0].at.arms.second)).norm();
 }
 
 /// λ of the pin after so many sweeps of one step from rest at 45° [N s].
@@ -62,8 +67,11 @@ Chart way_of_sweeps(const Setting& setting, double side) {
     y_row.x.push_back(t);
     y_row.y.push_back((1 - half * t) / (1 + half));
   }
-  Curve way{.label = "row by row", .x = {0}, .y = {0}, .colour = palette::constraint};
-  for (int sweeps = 1; sweeps <= shown_sweeps; ++sweeps) {
+  Curve way{.label = say("row by row, @", several(setting.sweeps(), "sweep")),
+            .x = {0},
+            .y = {0},
+            .colour = palette::constraint};
+  for (int sweeps = 1; sweeps <= setting.sweeps(); ++sweeps) {
     const Point lambda = impulse_after(setting, side, sweeps, BlockSolve::row_by_row) / unit;
     way.x.push_back(lambda.x());
     way.y.push_back(way.y.back());
@@ -77,7 +85,7 @@ Chart way_of_sweeps(const Setting& setting, double side) {
               .style = CurveStyle::line_and_markers,
               .colour = palette::force};
   chart.curves = {x_row, y_row, block, way};
-  chart.annotations.push_back({way.x.back(), way.y.back(), say("after @ sweeps", shown_sweeps)});
+  chart.annotations.push_back({way.x.back(), way.y.back(), ""});
   return chart;
 }
 
@@ -86,10 +94,11 @@ Chart seen_close(Chart chart) {
   const Curve& way = chart.curves.back();
   const auto [left, right] = std::minmax_element(way.x.begin(), way.x.end());
   const auto [low, high] = std::minmax_element(way.y.begin(), way.y.end());
-  const double wide = 0.2 * std::max(*right - *left, 1e-9), tall = 0.2 * std::max(*high - *low, 1e-9);
+  // A single sweep may go along one axis only.
+  const double seen = std::max({*right - *left, *high - *low, 1e-9}), margin = 0.2 * seen;
   chart.title = "";
-  chart.x = {.label = "close-up", .range = {{*left - wide, *right + wide}}};
-  chart.y = {.range = {{*low - tall, *high + tall}}};
+  chart.x = {.label = "close-up", .range = {{*right - seen - margin, *right + margin}}};
+  chart.y = {.range = {{*low - margin, *low + seen + margin}}};
   for (Curve& curve : chart.curves) curve.label = "";
   chart.annotations.clear();
   return chart;
@@ -111,7 +120,7 @@ struct RivalsFilm {
     for (std::size_t i = 0; i < rivals.size(); ++i) {
       Held& box = rivals[i].box;
       // A box whose pin is off by ten arms is drawn where it was then: beyond, its numbers mean nothing.
-      while (box.time < time - h / 2 && position_error(box.scene).max < 10 * length) box.step(h);
+      while (box.time < time - h / 2 && off(box) < 10 * length) box.step(h);
       const Rectangle& below = cells[i];
       canvas.text(
           {below.x + 8, below.top() - 16}, rivals[i].name,
@@ -146,7 +155,7 @@ Drift drift_of(const Rival& rival, double length, double h) {
   Held box = rival.box;
   while (box.time < drift_seconds - h / 2 && std::isinf(drift.broke)) {
     box.step(h);
-    const double error = position_error(box.scene).max;
+    const double error = off(box);
     if (!(error < 10 * length)) drift.broke = box.time;
     drift.worst = std::max(drift.worst, error);
     if (box.time > swing_seconds + h) continue;
@@ -240,12 +249,13 @@ void block_or_row(const Setting& setting, Page& page) {
   page.formula("one sweep leaves (c/(1 + c))² = @",
                R"(\Bigl(\frac{c}{1+c}\Bigr)^2 = @ \text{ is left by one sweep})", Value(rho, 5));
   page.text(
-      R"(First, a box as large as its arm: the rows ask for different things, and a few sweeps are enough. @ @ Solved
+      R"(For the box as large as its arm the rows ask for different things, and a few sweeps are enough. @ @ Solved
       as a block, one solve is enough for any box: the 2 × 2 matrix contains the entry off the diagonal.)",
-      slender ? R"(Then the small box. Both rows say nearly the same ("do not turn"), and the rest ("do not fall
-                along the arm") is in their small difference, which the sweeps approach slowly.)"
+      slender
+          ? R"(For the small box both rows say nearly the same ("do not turn"), and the rest ("do not fall along
+                the arm") is in their small difference, which the sweeps approach slowly.)"
       : side == length ? "This lesson's box is one."
-                       : "Then this lesson's box, whose lines cross as clearly.",
+                       : "The lines of this lesson's box cross less clearly.",
       left < 1e-15   ? say("@ leave nothing that a double can hold.", several(sweeps, "sweep"))
       : left > 0.995 ? say("@ @ only @ of the error.", several(sweeps, "sweep"),
                            sweeps == 1 ? "removes" : "remove", Value(1 - left, 2))
