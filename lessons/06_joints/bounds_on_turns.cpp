@@ -128,9 +128,10 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   const double h = setting.h(), strength = setting.strength();
   page.text(
       R"(A stop and a motor share one row, the turn's J = [0 −1 0 1], and for both the solver clamps the sum of λ to an
-      interval, as for a contact (lesson 5, step 1). They differ in this interval and in the speed they ask for:)");
-  page.formula("stop:  JV ≥ −(β/h)C,  0 ≤ λ        motor:  JV = s,  |λ| ≤ τh",
-               R"(\text{stop: } JV \ge -\tfrac{\beta}{h}C,\ 0 \le \lambda \qquad
+      interval, as for a contact (lesson 5, step 1). They differ in this interval and in the speed they ask for (b is a
+      contact's: C/h before the stop, (β/h)C beyond it):)");
+  page.formula("stop:  JV + b ≥ 0,  λ ≥ 0        motor:  JV = s,  |λ| ≤ τh",
+               R"(\text{stop: } JV + b \ge 0,\ \lambda \ge 0 \qquad
                   \text{motor: } JV = s,\ |\lambda| \le \tau h)");
   page.text(
       R"(The bound is on the *impulse* of a step, so a strength in N m is multiplied by h. (Without the h a motor would be
@@ -150,12 +151,12 @@ void bounds_on_turns(const Setting& setting, Page& page) {
     if (std::abs(angle - answer) > 2 * tolerance) wrong.push_back({angle, reply});
   };
   expect(degrees(balance),
-         R"(There its strength balances the weight's torque. But the bar arrives at speed and needs
-                           farther to lose it.)");
+         R"(There its strength balances the weight's torque. But the bar arrives at speed and swings
+                           farther before it has lost it.)");
   expect(90, "It would with a damper, whose torque vanishes as the bar slows down. This torque does not.");
   expect(0, "Holding it level takes mgl/2, and the motor has less.");
   if (rest.half_swings > 1)
-    expect(degrees(law), "It stops there first, but there the weight needs more than the motor has.");
+    expect(degrees(law), "It stops there first, but holding it there takes more than the motor has.");
   page.predict(
       {.ask = say(
            R"(A motor of at most @ mgl is told to hold the bar (s = 0). It is too weak. How many degrees below level
@@ -211,11 +212,11 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   const Quantity needed("½|cos φ|", needs), available("τ/mgl", strength);
   page.text(
       R"(**A motor told to stand still, with a bound, is dry friction in the joint.** All the way down its λ is at the
-      bound, so it takes the energy τφ; gravity gives ½mgl sin φ. They are equal at @°, @ the lowest point. There the
-      weight needs @ mgl. @ If you *set the bar down gently*, it already stays from arccos(2τ/mgl) = @° on.)",
+      bound, so it takes the energy τφ; gravity gives ½mgl sin φ. They are equal at @°, @ the lowest point. Holding
+      the bar there takes @ mgl. @ If you *set the bar down gently*, it already stays from arccos(2τ/mgl) = @° on.)",
       Value(degrees(law), 4), law > pi / 2 ? "beyond" : "short of", Value(needs, 3),
       page.verdict(
-          {{.when = needed <= available, .say = "That is not more than the motor has, so it holds the bar."},
+          {{.when = needed <= available, .say = "The motor has that much, so the bar stays."},
            {.when = needed > available,
             .say = say(R"(That is more than the motor has, so the bar swings back, less far each time: it rests
                                 after @ half swings, at @°.)",

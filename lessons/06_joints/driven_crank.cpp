@@ -134,11 +134,11 @@ void driven_crank(const Setting& setting, Page& page) {
     braking += torque_at(options, angle) < 0 ? 1 : 0;
   }
   page.choose(
-      {.ask = "There is no gravity, and the crank keeps its speed. Where in the turn does the motor brake?",
+      {.ask = "There is no gravity, and the crank keeps its speed. When does the motor brake?",
        .options = {{"while the piston speeds up", "There the motor has to give the energy that the piston gains."},
                    {"while the piston slows down",
                     "Its energy goes back through the rod and the crank into the motor."},
-                   {"nowhere", "Then the piston could not lose the energy that it has gained."}},
+                   {"never", "Then the piston could not lose the energy that it has gained."}},
        .answer = 2 * braking > slowing ? 1 : 0,
        .hints = {"The crank's energy stays the same. Whose does not?",
                  "Power = torque times ω = the change of the whole machine's kinetic energy.",
@@ -157,7 +157,7 @@ void driven_crank(const Setting& setting, Page& page) {
                     R"(\tau\,\omega = \dot E = \tfrac12\omega^2\,\frac{dI}{d\theta}\,\omega)"},
                    {"divide by ω", "τ = ½ ω² dI/dθ", R"(\tau = \tfrac12\,\omega^2\,\frac{dI}{d\theta})"}});
 
-  double peak = 0;
+  double peak = 0, most = 0;  // of the closed form, of the run
   Curve position{.label = "closed form", .style = CurveStyle::theory}, torque = position;
   for (int i = 0; i <= 240; ++i) {
     const double t = i * end / 240, angle = start + options.speed * t;
@@ -167,12 +167,15 @@ void driven_crank(const Setting& setting, Page& page) {
     torque.y.push_back(torque_at(options, angle));
     peak = std::max(peak, std::abs(torque.y.back()));
   }
+  for (const double given : run.torque.y)
+    if (std::isfinite(given)) most = std::max(most, std::abs(given));
+  const double shown = std::max(1.3 * peak, 1.05 * most);
   CrankFilm film{machine_of(options),
                  options,
                  h,
                  {.x = {.label = "time (s)"}, .y = {.label = "piston (m)"}, .curves = {run.position, position}},
                  {.x = {.label = "time (s)"},
-                  .y = {.label = "motor's torque (N m)", .range = {{-1.3 * peak, 1.3 * peak}}},
+                  .y = {.label = "motor's torque (N m)", .range = {{-shown, shown}}},
                   .curves = {run.torque, torque}}};
   page.sequence("slider_crank",
                 R"(One turn and a half of the crank, all rows solved at once (β = 1). Orange: the motor's torque.

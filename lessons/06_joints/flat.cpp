@@ -147,8 +147,8 @@ void flat(const Setting& setting, Page& page) {
   const FourBar third{four_bar(bars_of(setting, radians(60), 3)), exactly()};
 
   page.text(
-      R"(Hang a third arm between the two of the last step, parallel and of the same length: one body and two pins
-      more, @ velocities and @ rows.)",
+      R"(Hang a third arm between the two of the last step, parallel to them and as long: one more body, two more pins,
+      so @ velocities and @ rows.)",
       static_cast<int>(three.cols()), rows_of_three);
   page.choose(
       {.ask = "Count again. Does it still move?",
@@ -203,13 +203,16 @@ void flat(const Setting& setting, Page& page) {
   }
   second = sparse;
   const auto kept = [&](int way) { return energies.curves[way].y.back(); };
+  const std::string jerked = say("@", Value(100 * energies.curves[2].y[2], 2)),
+                    settled = say("@", Value(100 * kept(2), 2));
   page.text(
       R"(One independent row fewer, one degree of freedom more. In the flat pose the linkage has two, and *two motions are
       possible from here*: it can stay a parallelogram, or fold into a crossed linkage, whose arms turn in opposite
       directions, at first as (c + a) to (c − a), @ to 1. The velocities decide between them, not J.
       What if they fit neither, say 1 to −1? J at the flat pose allows such velocities too, so the first step moves the
-      pins apart, and the next has to pull them together again. After @ s @ % of the energy is left.)",
-      Value(-1 / ratio, 3), flat_seconds, Value(100 * kept(2), 2));
+      pins apart, and the next has to pull them together again. These two steps leave @ % of the energy@.)",
+      Value(-1 / ratio, 3), jerked,
+      settled == jerked ? "" : say(", and after @ s it is @ %", flat_seconds, settled));
   page.sequence(
       "ways_on",
       say(R"(The same flat pose with three choices of velocity, without gravity; regularisation @. Only two
@@ -222,12 +225,12 @@ void flat(const Setting& setting, Page& page) {
       R"(**Regularisation** lets the direct solve pass this pose: add a small share ε of A's own diagonal D to A, (A +
       εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little. The cost: pins separate at
       the speed γλ = εDλ, in proportion to ε and to their load. The benefit: λ is bounded. Suppose the right-hand pivot
-      is @ mm too far out.
+      is δ = @ mm too far out.
       In the flat pose the bars cannot reach it and pull at each other in vain; only ε limits that pull:)",
       1000 * misfit);
-  page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, β = @, where mgh = @ N·s",
+  page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, β = @; an arm's weight: m_a gh = @ N·s",
                R"(\lambda = \frac{\beta\,\delta/h}{\varepsilon\,(4/m_a + 2/m_c)} = @\,\mathrm{N\,s}
-                  \text{ for } \varepsilon = @,\; \beta = @, \text{ where } mgh = @\,\mathrm{N\,s})",
+                  \text{ for } \varepsilon = @,\; \beta = @; \text{ an arm's weight: } m_a g h = @\,\mathrm{N\,s})",
                self_pull_by_hand(setting, strict), strict, setting.beta, setting.mass * gravity * h);
   Chart price{.x = {.label = "regularisation ε", .scale = Scale::logarithmic},
               .y = {.label = "speed at which pins separate (m/s)", .scale = Scale::logarithmic}};
@@ -279,9 +282,9 @@ void flat(const Setting& setting, Page& page) {
              parting_speed(setting, loose) / parting_speed(setting, strict), "1",
              is(loose / strict, "proportional to ε", absolute(0.5)));
   for (const int way : {0, 1})
-    page.claim("energy that is left on the way: " + ways[way].name, kept(way), "1",
-               is(1, "pins do no work", absolute(0.01)), Quantity("h", h, "s") <= 1.0 / 50);
-  page.claim("the crossed way beside its closed form, largest difference",
+    page.claim("energy left, started " + ways[way].name, kept(way), "1", is(1, "pins do no work", absolute(0.01)),
+               Quantity("h", h, "s") <= 1.0 / 50);
+  page.claim("the crossed branch beside its closed form, largest difference",
              off_the_crossed_way(sent_off(setting, speed, ratio), ratio, h, flat_seconds), "rad",
              is(0, "tan(θ₂/2) = −tan(θ₁/2) (c + a)/(c − a)", absolute(0.05)), Quantity("h", h, "s") <= 1.0 / 50);
 }

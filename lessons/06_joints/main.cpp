@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   lesson.step("A four-bar linkage", with(four_bar_linkage));
   lesson.hold(in_hand(setting));
   lesson.step("Counting again", with(flat));
-  lesson.step("Stops and motors are bounds", with(bounds_on_turns));
+  lesson.step("Stops and motors are rows with bounds", with(bounds_on_turns));
   lesson.step("A motor drives a slider-crank", with(driven_crank));
   lesson.step("Rods that repeat and rods that contradict", with(conflicting_rods));
 

@@ -119,8 +119,8 @@ void rows_to_joints(const Setting& setting, Page& page) {
       setting.length, setting.mass);
   page.excerpt("solver/constraints/pin.hpp", "jacobian");
   page.text(
-      R"(That is a **pin**. Add φ̇ = ω₂ − ω₁ = 0, the row [0 −1 0 1], so that the bars do not turn against each other, and
-      you have a **weld**. Keep that row and one across a rail, and you have a **slider**, free along the rail. For K
+      R"(That is a **pin**. Add φ̇ = ω₂ − ω₁ = 0, the row [0 −1 0 1], so that the bars do not turn relative to each other,
+      and you have a **weld**. Keep that row and one across a rail, and you have a **slider**, free along the rail. For K
       rows (17) becomes K equations for K numbers, and the effective mass a K × K block: A = JM⁻¹Jᵀ is inverted as a
       whole.)");
   rows_adding_up(setting, page);
@@ -142,7 +142,7 @@ void rows_to_joints(const Setting& setting, Page& page) {
       step shows what that costs.)",
       Value(pin_A(0, 1), 3));
   page.text(
-      R"(The other parts of joints are *bounds, not rows*, as for a contact. The turn's row [0 −1 0 1] with 0 ≤ λ is a
+      R"(The other joints need no new rows, only *bounds* on λ, as for a contact. The turn's row [0 −1 0 1] with 0 ≤ λ is a
       **stop**: it pushes back at the end of the range and never pulls. With a speed as its target and |λ| ≤ τh it is a
       **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a **rope**. All of them at work:)");
   page.sequence(
