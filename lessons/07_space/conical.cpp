@@ -69,6 +69,8 @@ void conical(const Setting& setting, Page& page) {
   const ConicalPendulum exact(angle, setting.length, gravity);
   const Turn turn = third_turn(circling(setting, angle), h), fine = third_turn(circling(setting, angle), h / 16);
   const double measured = turn.tension / weight;
+  const std::string law = say("@", Value(1 / std::cos(angle), 4)), found = say("@", Value(measured, 4));
+  const double stretch = turn.distance / setting.length - 1;
 
   page.text(
       R"(A bob (@ kg) needs no orientation: it is a `SpaceParticle`, and its rod (@ m) is the one row of lesson 2, now
@@ -89,12 +91,18 @@ void conical(const Setting& setting, Page& page) {
        .hints = {"The bob stays at its height. Which part of the pull carries the weight?", "T·cosθ = mg",
                  say("T/mg = 1/cos @°", setting.angle)},
        .hinted = 1 / std::cos(angle),
-       .right = say("1/cosθ = @; with steps of @ s the run gives @.", Value(1 / std::cos(angle), 4), setting.h,
-                    Value(measured, 4))});
+       .right =
+           say("1/cosθ = @; with steps of @ s the run gives @@.", law, setting.h, found,
+               found != law && stretch > 0
+                   ? say(": the steps along the tangent leave the rod @ % too long (lesson 4), so the bob leaves "
+                         "its cone and nods between @° and @°",
+                         Value(100 * stretch, 2), Value(degrees(turn.least), 4), Value(degrees(turn.most), 4))
+                   : "")});
   page.figure(
       "tension_over_angle",
       R"(The pull of the rod over the angle of the cone: λ/h, mean of the third turn. The lower dashed line is the
-              part of the weight along the rod, which is not the pull.)",
+              part of the weight along the rod, which is not the pull. (Dots below the curve: there the steps
+              leave the rod too long.))",
       over_angle(setting));
   page.formula("T·cosθ = mg,   T·sinθ = mω²L·sinθ   ⟹   T = mg/cosθ = @ N,   ω² = g/(L·cosθ)",
                R"(T\cos\theta = mg, \quad T\sin\theta = m\omega^2 L\sin\theta \quad\Rightarrow\quad )"

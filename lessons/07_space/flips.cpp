@@ -140,7 +140,7 @@ void flips(const Setting& setting, Page& page) {
       R"(A real book turns over, again and again; try it, with a rubber band round it. A spin about the
       intermediate axis is unstable (the *tennis-racket theorem*): the small part about the other axes grows until
       the book flips; then it spins steadily for a while, and
-      flips back. Euler's equations have an exact solution in elliptic functions; by it this book flips every @ s, half
+      flips back. Euler's equations have an exact solution in elliptic functions; according to it this book flips every @ s, half
       a period.)",
       half_period);
   page.text(
@@ -198,7 +198,7 @@ void flips(const Setting& setting, Page& page) {
         renderer::draw(canvas, momentum, right);
       });
   if (flew_apart(flights[1], flight_seconds))
-    page.text("With the explicit term the book spins a hundred times faster after @ s than when it was thrown.",
+    page.text("With the explicit term the book spins a hundred times as fast after @ s as when it was thrown.",
               flights[1].back().time);
   else
     page.text("After @ s the explicit book has @ times the energy it was thrown with.", flight_seconds,

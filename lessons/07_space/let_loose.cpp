@@ -115,11 +115,13 @@ Tumble tumble(const Setting& setting) {
   }
   tumble.rests = still > 0;
   const double lies = setting.mass * gravity * 0.5 * book_sides().z();
-  tumble.film.beside = {
-      .x = {.label = "time (s)", .range = {{0, tumble_seconds}}},
-      .y = {.label = "energy (J)", .range = {{0, 1.05 * *std::max_element(total.y.begin(), total.y.end())}}},
-      .curves = {total},
-      .references = {{.value = lies, .label = say("mg·@ m, lying flat", 0.5 * book_sides().z())}}};
+  Axis energies{.label = "energy (J)", .range = {{0, 1.05 * *std::max_element(total.y.begin(), total.y.end())}}};
+  for (int tick = 0; tick < energies.range->second; tick += 20)
+    energies.ticks.push_back({static_cast<double>(tick), say("@", tick)});
+  tumble.film.beside = {.x = {.label = "time (s)", .range = {{0, tumble_seconds}}},
+                        .y = energies,
+                        .curves = {total},
+                        .references = {{.value = lies}}};
   for (const Touch<SpaceBody>& touch : book.touches())
     for (const auto& point : touch.points)
       tumble.pressed += point.normal_impulse / (setting.mass * gravity * setting.h);
@@ -155,7 +157,7 @@ void let_loose(const Setting& setting, Page& page) {
   page.sequence(
       "tumbling",
       say(R"(The thrown book bounces, and tumbles over corners and edges@. Below: its energy (with the velocity at the
-          time of the position), which impacts and friction take away@.)",
+          time of the position; dotted: lying flat), which impacts and friction take away@.)",
           thrown.speed > 0.01 ? say("; after @ s it is still moving", tumble_seconds)
           : thrown.rests      ? std::string(", and comes to rest in the end")
                               : std::string(),
@@ -203,13 +205,13 @@ void let_loose(const Setting& setting, Page& page) {
       with_newton("heavy cube off its place, by Newton's method", newton, "m");
   page.text(
       R"(Boxes also collide with boxes. Take the heavy box on a light one (lesson 5, step 7b) as cubes of @ kg on 1 kg:
-      with @ warm sweeps a step the upper one @. @ (`SemismoothNewton` takes rows and bounds as one system of
-      equations, for contacts on which sweeps stall.))",
+      with @ warm sweeps a step the upper one @. @ (`SemismoothNewton` writes each row and its bound as one equation and
+      solves all of them together. It is for contacts on which sweeps stall.))",
       heavy, sweeps,
       swept < 0.5 ? say("is up to @ mm off its place in the eighth second", Value(1000 * swept, 3))
                   : say("has fallen off after @ s", settling),
       page.verdict({{.when = with_newton < with_sweeps,
-                     .say = "Newton's method keeps it where it was put.",
+                     .say = "Newton's method, on all contacts together, keeps it where it was put.",
                      .law = with_newton < 1e-6}}));
   page.measure("straight", straight.distance, "m");
   page.measure("spinning as well", spinning.distance, "m");

@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
             "paths."},
        .tries = {{"A smaller wobble takes longer to grow into a flip:",
                   "./lessons/run space --step 6 --set wobble=0.005"},
-                 {"A faster spin: with the explicit term energy grows sooner.",
+                 {"A faster spin: with the explicit term energy grows faster.",
                   "./lessons/run space --step 6 --set spin=15"},
                  {"A book that is not turned hides the mistake:", "./lessons/run space --step 2 --set tilt=0"}},
        .next =

@@ -110,7 +110,7 @@ void nutation(const Setting& setting, Page& page) {
                R"(\dot u^2 = \frac{2}{L^2}\Bigl(\frac{E}{m} + gLu\Bigr)(1-u^2) - \Bigl(\frac{L_y}{mL^2}\Bigr)^2)");
   page.text(
       R"(is a cubic in u. Two of its roots lie between −1 and 1: the two cones, at @° and @°. The time from one to the other
-      and back, 2∫du/|u̇|, is an elliptic integral. One nutation takes @ s and goes @° round the vertical.)",
+      and back, 2∫du/|u̇|, is an elliptic integral. One nutation takes @ s, in which the bob goes @° round the vertical.)",
       setting.angle, degrees(pendulum.other_angle()), exact.period, degrees(exact.precession));
   page.derivation(
       "Why u̇² is a cubic in u",
@@ -156,9 +156,10 @@ void nutation(const Setting& setting, Page& page) {
                   slopes),
               over_h(setting, exact));
   page.text(
-      R"(The drift of lesson 4 only fell with h. Here the error falls with h², for two reasons. Symplectic Euler is the
-      leapfrog, a second-order method, with each velocity half a step early. And at a turning
-      point half a step of acceleration is at right angles to v: it changes energy and L_y only to second order.)");
+      R"(The uncorrected drift of lesson 4 only fell with h. Here the error falls with h², for three reasons. β holds the
+      rod's stretch to (ωh)²/2β of its length (lesson 4). Symplectic Euler is the leapfrog, a second-order method, with
+      each velocity half a step early. And at a turning point, where this run starts, half a step of acceleration is at
+      right angles to v: it changes energy and L_y only to second order.)");
   page.measure("one nutation", run.period, "s");
   page.measure("precession in it", degrees(run.precession), "deg");
 

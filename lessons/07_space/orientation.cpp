@@ -111,9 +111,11 @@ void orientation(const Setting& setting, Page& page) {
        .wrong = {{0, "Then the order would not matter. Try it with a book."},
                  {180, "That is the sum of both turns; about an oblique axis a smaller turn is enough."},
                  {90, "A quarter turn about an edge of the book does not do it; the axis is oblique."}},
-       .hints = {"Follow where each axis of the book goes in either order.",
-                 "The turn between them takes x to y, y to z and z to x: its axis is a diagonal of a cube.",
-                 "Three such turns are a full one: 360°/3 = …"},
+       .hints =
+           {"Follow where each axis of the book goes in either order.",
+            "The turn that takes the second book to the first takes x to −y, −y to z and z to x: its axis is a "
+            "diagonal of a cube.",
+            "Three such turns are a full one: 360°/3 = …"},
        .right = "A third of a full turn about a diagonal of a cube takes each axis to the next."});
   page.figure("order_of_turns", R"(The same two quarter turns in either order (the yellow end is the book's +y).)",
               [](Canvas& canvas) { draw_orders(canvas); });
@@ -134,8 +136,9 @@ void orientation(const Setting& setting, Page& page) {
       setting.spin, Value(turn, 3), Value(degrees(first.lag), 3), Value(first.stretched, 6));
   page.figure(
       "lag",
-      R"(Error of this orientation after a second of steady turning, while below half a turn, over the angle of
-              one step; the exponential only has rounding errors. Dashed: the first term of ωh − 2·atan(½ωh).)",
+      R"(How far q + ½ωqh, normalised, is behind after a second of steady rotation, against the angle of one step
+              (below half a turn). The exponential has only rounding errors. Dashed: the leading term of ωh −
+              2·atan(½ωh), times the number of steps.)",
       lag_over_rate(h));
 
   joints_in_space(setting, page);

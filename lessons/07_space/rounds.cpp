@@ -54,7 +54,8 @@ Nutation nutation_of(Bob bob, double h) {
 }
 
 Turn third_turn(Bob bob, double h) {
-  double azimuth = 0, from = 0, sum = 0;
+  double azimuth = 0, from = 0;
+  Turn third;
   int steps = 0;
   while (true) {
     const Eigen::Vector3d before = place(bob);
@@ -63,10 +64,18 @@ Turn third_turn(Bob bob, double h) {
     const auto passes = [&](double goal) { return azimuth < goal && azimuth + turned >= goal; };
     const auto when = [&](double goal) { return bob.time - (azimuth + turned - goal) / turned * h; };
     if (passes(4 * pi)) from = when(4 * pi);
-    if (passes(6 * pi)) return {sum / steps, when(6 * pi) - from};
+    if (passes(6 * pi)) {
+      third.tension /= steps;
+      third.distance /= steps;
+      third.period = when(6 * pi) - from;
+      return third;
+    }
     azimuth += turned;
     if (azimuth < 4 * pi) continue;
-    sum += tension(bob);
+    third.tension += tension(bob);
+    third.distance += place(bob).norm();
+    third.least = std::min(third.least, from_down(bob));
+    third.most = std::max(third.most, from_down(bob));
     ++steps;
   }
 }

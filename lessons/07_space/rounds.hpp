@@ -25,9 +25,10 @@ Nutation nutation_of(Bob bob, double h);
 
 /// The pull of the rod in the last step [N].
 double tension(const Bob& bob);
-/// Its mean over the third turn about the vertical [N], and that turn's duration [s].
+/// The third turn about the vertical: the means of that pull [N] and of the bob's distance from the anchor [m],
+/// the least and the largest angle from straight down [rad], and its duration [s].
 struct Turn {
-  double tension, period;
+  double tension = 0, distance = 0, least = INFINITY, most = 0, period = 0;
 };
 Turn third_turn(Bob bob, double h);
 

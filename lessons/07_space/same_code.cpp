@@ -108,11 +108,11 @@ void same_code(const Setting& setting, Page& page) {
   const Numbers plane = numbers_of<PlaneBody>(), space = numbers_of<SpaceBody>();
   page.text(
       R"(So far everything moved in the plane. Here are the row of lesson 1 as the solver writes it, and the product (8)
-      that each sweep needs. Look for the number of dimensions in them:)");
+      that each sweep needs. Look for a 2 or a 3 that stands for the number of dimensions:)");
   page.excerpt("solver/jacobian.hpp", "along");
   page.excerpt("solver/jacobian.hpp", "8");
   page.text(
-      R"(It is not there. A body's type says along how many axes it moves and about how many it turns: bodies in the plane
+      R"(There is none. A body's type says along how many axes it moves and about how many it turns: bodies in the plane
       are `Model<2, 1>`, bodies in this lesson `Model<3, 3>`, and no code is written twice. Five things change:
 
       - r × n is one number in the plane (how much a push turns the body) and three in space (about which axis);
@@ -131,7 +131,7 @@ void same_code(const Setting& setting, Page& page) {
   page.predict(
       {.ask =
            R"(A contact with friction has two rows in the plane and three in space. By what factor does the number of
-                 multiplications in its J grow?)",
+                 multiplications in its JV grow?)",
        .answer = growth,
        .unit = "1",
        .tolerance = 0.1,

@@ -166,12 +166,14 @@ void two_axes(const Setting& setting, Page& page) {
   page.text(
       R"(And the solver chooses the axes: turn t₁ and t₂ by 45°, and other pucks get farthest. Coulomb's law has one
       bound, for the length of the impulse. So the two rows are one block, solved together and scaled together. (t₁ and
-      t₂ turn from step to step; a warm start has to turn the remembered λₜ with them.))");
+      t₂ may turn from step to step. A warm start then expresses the remembered impulse in the new axes: the vector
+      stays, its two numbers change.))");
   page.excerpt("lessons/07_space/two_axes.cpp", "disc");
-  page.figure("where_they_stop",
-              "Where the pucks of one half stop, seen from above. Dashed: the square and the circle of each bound "
-              "for short steps.",
-              stopped_at(film, v * v / (2 * a)));
+  page.figure(
+      "where_they_stop",
+      "Where half of the pucks stop, seen from above. Dashed, for very short steps: a square if each axis is "
+      "bounded by itself, a circle with the disc.",
+      stopped_at(film, v * v / (2 * a)));
   page.measure("distance at 45°, each axis over disc", pyramid / disc, "1");
   // A slow axis may stop within its first step.
   page.measure("heading at the end, each axis", std::abs(final_heading) < 1e-9 ? 0 : degrees(final_heading),
