@@ -1,6 +1,25 @@
 #include "lessons/doctor/treatment.hpp"
 
 namespace byhand::doctor {
+namespace {
+
+void add(Treatment& treatment, const NoDriftCure&) { treatment.stale = true; }
+void add(Treatment& treatment, const Baumgarte& cure) {
+  treatment.beta = cure.beta, treatment.slop = cure.slop;
+  treatment.adds_velocity = true;
+}
+void add(Treatment& treatment, const SplitImpulse& cure) {
+  treatment.beta = cure.beta, treatment.slop = cure.slop;
+}
+void add(Treatment& treatment, const Projection& cure) { treatment.beta = cure.share, treatment.slop = cure.slop; }
+void add(Treatment& treatment, const SoftConstraints& cure) {
+  const double turn = treatment.h * cure.frequency;
+  treatment.beta = turn / (2 * cure.damping_ratio + turn);
+  treatment.frequency = cure.frequency;
+  treatment.stale = cure.relax && !cure.refresh;
+}
+
+}  // namespace
 
 Treatment treatment_of(const SceneFile& file) {
   Treatment treatment;
@@ -15,21 +34,7 @@ Treatment treatment_of(const SceneFile& file) {
   }
   if (const auto* direct = std::get_if<Direct>(&file.method.solver))
     treatment.regularised = direct->regularisation > 0;
-  if (const auto* cure = std::get_if<Baumgarte>(&file.method.drift)) {
-    treatment.beta = cure->beta, treatment.slop = cure->slop;
-    treatment.adds_velocity = true;
-  }
-  if (const auto* cure = std::get_if<SplitImpulse>(&file.method.drift))
-    treatment.beta = cure->beta, treatment.slop = cure->slop;
-  if (const auto* cure = std::get_if<Projection>(&file.method.drift))
-    treatment.beta = cure->share, treatment.slop = cure->slop;
-  if (const auto* cure = std::get_if<SoftConstraints>(&file.method.drift)) {
-    const double turn = treatment.h * cure->frequency;
-    treatment.beta = turn / (2 * cure->damping_ratio + turn);
-    treatment.frequency = cure->frequency;
-    treatment.stale = cure->relax && !cure->refresh;
-  }
-  treatment.stale = treatment.stale || std::holds_alternative<NoDriftCure>(file.method.drift);
+  std::visit([&](const auto& cure) { add(treatment, cure); }, file.method.drift);
   return treatment;
 }
 

@@ -334,9 +334,8 @@ void members(Io& io, SoftConstraints& cure) {
 }
 template <class Io>
 void members(Io& io, VelocityStepping& method) {
-  io.one_of("solver", "of the rows", method.solver,
-            {"gauss_seidel", "jacobi", "direct", "conjugate_sweeps", "newton", "by_graph"}, 5);
-  io.one_of("cure", "of drift", method.drift, {"none", "baumgarte", "projection", "split_impulse", "soft"}, 1);
+  io.one_of("solver", "of the rows", method.solver, row_solver_names, 5);
+  io.one_of("cure", "of drift", method.drift, drift_cure_names, 1);
   io.whole(counted("substeps", "equal parts of a step", 1), method.substeps);
 }
 

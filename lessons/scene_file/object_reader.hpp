@@ -96,8 +96,8 @@ class Reader {
   }
   template <class... Choices>
   void one_of(const std::string& name, const char*, std::variant<Choices...>& choice,
-              const std::vector<std::string>& names, int otherwise) {
-    const int chosen = index(name, names, otherwise);
+              const std::array<const char*, sizeof...(Choices)>& names, int otherwise) {
+    const int chosen = index(name, {names.begin(), names.end()}, otherwise);
     int i = 0;
     ((chosen == i++ ? void(choice.template emplace<Choices>()) : void()), ...);
     std::visit([&](auto& one) { members(*this, one); }, choice);

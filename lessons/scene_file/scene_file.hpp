@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -15,6 +16,14 @@ namespace byhand {
 /// A scene whose model is known only when it is read.
 using SceneOfAnyModel =
     std::variant<Scene<PlaneParticle>, Scene<PlaneBody>, Scene<SpaceParticle>, Scene<SpaceBody>>;
+
+// What files and knobs call the solvers of rows and the cures of drift, in the order of their variants.
+inline constexpr std::array<const char*, 6> row_solver_names{"gauss_seidel",     "jacobi", "direct",
+                                                             "conjugate_sweeps", "newton", "by_graph"};
+inline constexpr std::array<const char*, 5> drift_cure_names{"none", "baumgarte", "projection", "split_impulse",
+                                                             "soft"};
+static_assert(row_solver_names.size() == std::variant_size_v<RowSolver>);
+static_assert(drift_cure_names.size() == std::variant_size_v<DriftCure>);
 
 /// A scene and what its file says besides.
 struct SceneFile {

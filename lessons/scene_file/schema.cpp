@@ -58,7 +58,7 @@ class Schema {
   }
   template <class... Choices>
   void one_of(const std::string& name, const std::string& meaning, std::variant<Choices...>&,
-              const std::vector<std::string>& names, int otherwise) {
+              const std::array<const char*, sizeof...(Choices)>& names, int otherwise) {
     put(name, meaning, {{"enum", names}, {"default", names[static_cast<std::size_t>(otherwise)]}});
     const auto each = [&](auto choice) { members(*this, choice); };
     (each(Choices()), ...);

@@ -56,7 +56,7 @@ class Writer {
   }
   template <class... Choices>
   void one_of(const std::string& name, const char*, std::variant<Choices...>& choice,
-              const std::vector<std::string>& names, int) {
+              const std::array<const char*, sizeof...(Choices)>& names, int) {
     put(name, quoted(names[choice.index()]));
     std::visit([&](auto& one) { members(*this, one); }, choice);
   }

@@ -5,10 +5,8 @@
 namespace byhand::stage {
 namespace {
 
-const std::vector<std::string> solvers{"gauss_seidel",     "jacobi", "direct",
-                                       "conjugate_sweeps", "newton", "by_graph"},
-    others{"rattle", "midpoint", "rk4", "xpbd", "avbd"},
-    cures{"none", "baumgarte", "projection", "split_impulse", "soft"};
+const std::vector<std::string> solvers(row_solver_names.begin(), row_solver_names.end()),
+    others{"rattle", "midpoint", "rk4", "xpbd", "avbd"}, cures(drift_cure_names.begin(), drift_cure_names.end());
 
 std::vector<std::string> all_methods() {
   std::vector<std::string> all = solvers;
