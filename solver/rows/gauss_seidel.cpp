@@ -11,6 +11,7 @@ using detail::Pair;
 
 /// Sweeps that watch nothing.
 struct Unwatched {
+  void rows(int, const auto&, const auto&) const {}
   void operator()(const int*, int, double, double) const {}
   void operator()(const int*, int, Pair, Pair) const {}
 };
@@ -20,6 +21,15 @@ class Watch {
  public:
   explicit Watch(const double* speed) : speed_(speed) {}
 
+  /// All rows of one block, two at a time.
+  template <class Rows>
+  void rows(int row, const Rows& delta, const auto& lambda) {
+    constexpr int K = Rows::SizeAtCompileTime, last = K - 1;
+    for (int k = 0; k + 1 < K; k += 2)
+      note(Pair{speed_[row + k], speed_[row + k + 1]}, Pair{delta[k], delta[k + 1]},
+           Pair{lambda[k], lambda[k + 1]});
+    if constexpr (K % 2 == 1) (*this)(&row, last, delta[last], lambda[last]);
+  }
   /// Row k of one block, or of two, whose first rows are given.
   void operator()(const int* first, int k, double delta, double lambda) {
     note(Pair{speed_[first[0] + k], 0}, Pair{delta, 0}, Pair{lambda, 0});
@@ -54,8 +64,8 @@ template <bool soft, class M, int K, Bound B, class Watching>
     const Rows<K> change = solve<soft>(*block, V, lambda);
     Eigen::Map<Rows<K>> now(lambda + block->row);
     now += change;
+    watch.rows(block->row, change, now);
     apply<M, K>(*block, change, V);
-    for (int k = 0; k < K; ++k) watch(&block->row, k, change[k], now[k]);
   }
 }
 //! [sweep]
