@@ -200,6 +200,8 @@ struct Edge {
   int number;
 
   Vector3d at(double s) const { return middle + s * direction; }
+  /// The furthest that it reaches along a unit vector [m].
+  double reach(const Vector3d& n) const { return n.dot(middle) + half * std::abs(n.dot(direction)); }
   /// 0–11 for the edge, 12–19 for the corners of the box that are its ends.
   int feature_at(double s) const {
     if (std::abs(s) < half) return number;
@@ -251,10 +253,17 @@ void collide_axis(const Boxes& boxes, int axis, double margin, Manifold3& manifo
 
 /// Replaces the manifold by the closest edges of separate boxes, if they are nearer than `limit` [m].
 void collide_closest_edges(const Boxes& boxes, double limit, Manifold3& manifold) {
+  std::array<Edge, 12> edges1, edges2;
+  std::array<double, 12> from, to;  // of the gap between two edges along the manifold's normal
+  for (int i = 0; i < 12; ++i) {
+    edges1[i] = edge(boxes.first, i), edges2[i] = edge(boxes.second, i);
+    from[i] = edges1[i].reach(manifold.normal), to[i] = -edges2[i].reach(-manifold.normal);
+  }
   ContactPoint3 best;
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j) {
-      const ContactPoint3 point = closest_points(edge(boxes.first, i), edge(boxes.second, j));
+      if (clearly * (to[j] - from[i]) > limit) continue;  // nor are they nearer than that gap
+      const ContactPoint3 point = closest_points(edges1[i], edges2[j]);
       const double distance = (point.p2 - point.p1).norm();
       if (distance < limit) limit = distance, best = point;
     }
@@ -337,9 +346,11 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
     if (nearest <= far + rounding) break;
   }
   if (!(nearest <= far + rounding)) {
-    // For its normal, should edges touch.
-    if (manifold.reference == 0) collide_axis(boxes, best, margin, manifold);
-    collide_closest_edges(boxes, clearly * nearest, manifold);
+    if (manifold.reference == 0) {
+      collide_axis(boxes, best, margin, manifold);  // for its normal alone
+      manifold.size = 0;
+    }
+    collide_closest_edges(boxes, std::min(clearly * nearest, margin + rounding), manifold);
     nearest = gap(manifold);
   }
   if (!(nearest <= margin)) manifold.size = 0;
