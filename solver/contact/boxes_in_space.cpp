@@ -216,15 +216,20 @@ Edge edge(const OrientedBox& box, int number) {
           box.half[axis], number};
 }
 
-/// The closest points of two edges (C. Ericson, Real-Time Collision Detection, 2005, 5.1.9), without their
-/// separation. Features begin beyond those of faces.
-ContactPoint3 closest_points(const Edge& a, const Edge& b) {
+/// How far from the middles of two edges, along each, they are closest to each other [m] (C. Ericson, Real-Time
+/// Collision Detection, 2005, 5.1.9).
+std::array<double, 2> closest_places(const Edge& a, const Edge& b) {
   const Vector3d d = a.middle - b.middle;
   const double cos = a.direction.dot(b.direction), da = a.direction.dot(d), db = b.direction.dot(d);
   const double sin2 = 1 - cos * cos;
-  double s = sin2 > 1e-12 ? std::clamp((cos * db - da) / sin2, -a.half, a.half) : 0;
+  const double s = sin2 > 1e-12 ? std::clamp((cos * db - da) / sin2, -a.half, a.half) : 0;
   const double t = std::clamp(cos * s + db, -b.half, b.half);
-  s = std::clamp(cos * t - da, -a.half, a.half);
+  return {std::clamp(cos * t - da, -a.half, a.half), t};
+}
+
+/// The closest points of two edges, without their separation. Features begin beyond those of faces.
+ContactPoint3 closest_points(const Edge& a, const Edge& b) {
+  const auto [s, t] = closest_places(a, b);
   return {a.at(s), b.at(t), 0, 256u + 20u * a.feature_at(s) + b.feature_at(t)};
 }
 
@@ -259,17 +264,24 @@ void collide_closest_edges(const Boxes& boxes, double limit, Manifold3& manifold
     edges1[i] = edge(boxes.first, i), edges2[i] = edge(boxes.second, i);
     from[i] = edges1[i].reach(manifold.normal), to[i] = -edges2[i].reach(-manifold.normal);
   }
-  ContactPoint3 best;
-  for (int i = 0; i < 12; ++i)
+  const double least_to = *std::min_element(to.begin(), to.end());
+  const Edge *best1 = nullptr, *best2 = nullptr;
+  // Edges are at least as far apart as the gap; one per cent of it is more than rounding.
+  const auto in_reach = [&](double gap) { return clearly * gap <= limit; };
+  for (int i = 0; i < 12; ++i) {
+    if (!in_reach(least_to - from[i])) continue;
     for (int j = 0; j < 12; ++j) {
-      if (clearly * (to[j] - from[i]) > limit) continue;  // nor are they nearer than that gap
-      const ContactPoint3 point = closest_points(edges1[i], edges2[j]);
-      const double distance = (point.p2 - point.p1).norm();
-      if (distance < limit) limit = distance, best = point;
+      if (!in_reach(to[j] - from[i])) continue;
+      const auto [s, t] = closest_places(edges1[i], edges2[j]);
+      const double distance = (edges2[j].at(t) - edges1[i].at(s)).norm();
+      if (distance < limit) limit = distance, best1 = &edges1[i], best2 = &edges2[j];
     }
-  if (best.feature == 0) return;
-  const Vector3d n = limit > 1e-12 * boxes.first.half[0] ? Vector3d((best.p2 - best.p1) / limit) : manifold.normal;
-  set_only_point(n, best, manifold);
+  }
+  if (!best1) return;
+  const ContactPoint3 point = closest_points(*best1, *best2);
+  const Vector3d n =
+      limit > 1e-12 * boxes.first.half[0] ? Vector3d((point.p2 - point.p1) / limit) : manifold.normal;
+  set_only_point(n, point, manifold);
 }
 
 /// The separation of the nearest point [m].
