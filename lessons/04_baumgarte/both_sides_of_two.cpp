@@ -101,8 +101,7 @@ void both_sides_of_two(const Setting& setting, Page& page) {
   std::ranges::sort(panels, {}, &Panel::beta);
   page.sequence(
       "stems",
-      say(R"(The same rod with @ values of β, every step shown. Up to 1 the error shrinks from one side, between 1
-          and 2 it changes sign and shrinks, beyond 2 it changes sign and grows. Each chart has its own scale.)",
+      say("The same rod with @ values of β, every step shown. Rods and charts are scaled panel by panel.",
           panels.size()),
       Frames{panel_steps + 1}, [panels](Canvas& canvas, double time) {
         draw_panels(canvas, panels, static_cast<std::size_t>(std::lround(time)));
@@ -110,12 +109,12 @@ void both_sides_of_two(const Setting& setting, Page& page) {
 
   page.text(
       R"(Each step multiplies the error by 1 − β, so the size |1 − β| decides. For 0 < β < 2 it is below 1 and the error
-      shrinks; at β = 1 one step removes all of it; at β = 2 the bob jumps from side to side for ever; beyond 2 the
+      shrinks, above 1 changing its sign; at β = 1 one step removes all of it; at β = 2 the bob jumps from side to side for ever; beyond 2 the
       error grows.)");
 
-  page.measure("what a step leaves", factor(setting, setting.beta()), "1");
+  page.measure("share of the error left by a step", factor(setting, setting.beta()), "1");
 
-  page.claim("what a step leaves with this β", factor(setting, setting.beta()), "1",
+  page.claim("share of the error left by a step with this β", factor(setting, setting.beta()), "1",
              is(std::abs(1 - setting.beta()), "|1 − β|", absolute(1e-14 * setting.length / e + 1e-9)));
   for (const double beta : {1.99, 2.0, 2.01})
     page.claim(say("left after fifty steps, β = @", beta),

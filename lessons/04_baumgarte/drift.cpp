@@ -161,7 +161,7 @@ void drift(const Setting& setting, Page& page) {
   page.claim("kinetic energy lost, over the energy at first", lost, "1",
              is_at_least(0, "an impulse that makes JV = 0 only removes a part of V"));
   page.claim(
-      "energy at the end", run.back().kinetic, "J",
+      "kinetic energy at the end", run.back().kinetic, "J",
       is(0.5 * mass * std::pow(speed * length / exact[exact.size() - 2], 2), "|v| = v₀L/|d|", relative(rounding)));
 }
 

@@ -75,14 +75,12 @@ void frame_rate(const Setting& setting, Page& page) {
                                      R"(t_{1/2} \approx 0.69\,\frac{h}{\beta})"}});
   page.text(
       R"(For small β the correction has a time constant, h/β (here @ ms). A game tuned at one frame rate and run at another has stiffer or
-      softer joints, although nobody touched β. To keep the half-life, keep h/β: with both h and β halved it goes from
-      @ ms to @ ms. @)",
-      1000 * h / beta, Value(1000 * half, 3), Value(1000 * kept, 3),
-      nearly_kept
-          ? ""
-          : say(R"((This β is too large for that rule. Exactly, (1 − β)^(1/h) must stay the same: half the step
-                             needs β = 1 − √(1 − @) = @.))",
-                beta, Value(1 - std::sqrt(1 - beta), 3)));
+      softer joints, although nobody touched β. @ with both h and β halved it goes from
+      @ ms to @ ms. To keep it exactly, (1 − β)^(1/h) must stay the same: half the step needs β = 1 − √(1 − @) = @.)",
+      1000 * h / beta,
+      nearly_kept ? "Keeping h/β nearly keeps the half-life:"
+                  : "For so large a β, keeping h/β does not keep the half-life:",
+      Value(1000 * half, 3), Value(1000 * kept, 3), beta, Value(1 - std::sqrt(1 - beta), 4));
   page.figure("half_life_over_h",
               say("Half-life against time step. With β fixed it is proportional to h (slope 1). @",
                   page.verdict({{.when = changes < 0.15, .say = "With h/β fixed it hardly changes."},

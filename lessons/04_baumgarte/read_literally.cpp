@@ -41,7 +41,7 @@ void read_literally(const Setting& setting, Page& page) {
       .answer = half,
       .unit = "s",
       .tolerance = 0.04 * half,
-      .wrong = {{1 / beta, "By then about a third is left, 1/2.718; half is left a little sooner."},
+      .wrong = {{1 / beta, "By then 1/e = 37 % is left; half was gone earlier."},
                 {0.5 / beta, "The rate falls as the error falls: e^(−βt), not 1 − βt."}},
       .hints = {"β is now a rate per second, so the number of steps does not matter.", "C = C₀ e^(−βt).",
                 say("e^(−βt) = ½, so βt = ln 2 = 0.693: 0.693/@ = …", setting.beta)},

@@ -30,6 +30,7 @@ void steady_spin(const Setting& setting, Page& page) {
   const double length = setting.length, beta = settles ? setting.beta() : 0.2,
                turn = setting.speed() * setting.h() / length;
   const Spin spin = settled(setting, beta, turn);
+  const double law = laws::stretch_of_a_spinning_rod(spin.turn, beta);
   const Condition small = Quantity("ωh", turn) <= 0.1;
 
   if (!settles)
@@ -49,9 +50,9 @@ void steady_spin(const Setting& setting, Page& page) {
          .answer = answer,
          .unit = "mm",
          .tolerance = 0.03 * answer,
-         .wrong = {{one_step,
-                    "One step adds that much; the share β of the error that it removes must be as large."},
-                   {0, "Then β would have no error to remove a share of."}},
+         .wrong = {{one_step, say("Each step adds @ mm, so βC must be that much; C itself is @.",
+                                  Value(one_step, 4), beta < 1 ? "larger" : "smaller")},
+                   {0, "Each step adds drift; with C = 0 the correction would remove nothing to balance it."}},
          .hints = {"Once the rod has settled, a step adds as much error as it removes.",
                    "added: ½(ωh)²L; removed: βC.",
                    beta == 1
@@ -69,13 +70,17 @@ void steady_spin(const Setting& setting, Page& page) {
       "βC = ½(ωh)²L   ⟹   C/L = (ωh)²/(2β) = @ for ωh = @",
       R"(\beta C = \tfrac12(\omega h)^2 L \quad\Rightarrow\quad \frac{C}{L} = \frac{(\omega h)^2}{2\beta} = @
                   \text{ for } \omega h = @)",
-      laws::stretch_of_a_spinning_rod(spin.turn, beta), spin.turn);
+      law, spin.turn);
+  const auto shown = [](double value) { return say("@", value); };
   if (!small)
     page.text(R"(The law is the first term of an expansion in ωh, and this ωh is too large for it: the rod in fact
               stays too long by C/L = @.)",
               spin.stretch);
   else
-    page.text("The run ends at C/L = @: the drift of a step is ½(ωh)²|d|, and |d| = L + C.", spin.stretch);
+    page.text(shown(spin.stretch) == shown(law)
+                  ? std::string("The run ends at the same C/L, to the digits shown.")
+                  : say("The run ends@ at C/L = @, because a step's drift is really ½(ωh)²|d|, with |d| = L + C.",
+                        spin.stretch > law ? " slightly higher," : "", spin.stretch));
   page.derivation(
       "The stretch of a spinning rod",
       {{"the step h·v is at right angles to d (step 1)", "|d′|² = |d|² + (h v)²", R"(|d'|^2 = |d|^2 + (hv)^2)"},
@@ -106,15 +111,14 @@ void steady_spin(const Setting& setting, Page& page) {
       chart);
   page.text(
       R"(For small ωh, half the step leaves a quarter of the stretch, while the stretch only falls as 1/β. If you keep
-      h/β, to keep the half-life, the stretch is proportional to h.)");
+      h/β, the stretch is proportional to h.)");
   page.measure("settled stretch", 1000 * spin.stretch, "mm per m");
 
   // Next in the expansion are ½β(C/L)² and ⅓(ωh)⁴ beside (ωh)².
-  page.claim("settled stretch, over L", spin.stretch, "1",
-             is(laws::stretch_of_a_spinning_rod(spin.turn, beta), "(ωh)²/(2β), ω settled",
-                relative(spin.turn * spin.turn * (0.5 + 1 / beta) +
-                         2e-15 / (laws::stretch_of_a_spinning_rod(spin.turn, beta) * beta))),
-             small);
+  page.claim(
+      "settled stretch, over L", spin.stretch, "1",
+      is(law, "(ωh)²/(2β), ω settled", relative(spin.turn * spin.turn * (0.5 + 1 / beta) + 2e-15 / (law * beta))),
+      small);
 }
 
 }  // namespace byhand::baumgarte

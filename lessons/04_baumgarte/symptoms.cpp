@@ -41,13 +41,12 @@ RodBetween after(RodBetween rod, const Recipe& recipe, int steps) {
   return rod;
 }
 
-using Reading = std::function<double(const RodBetween&)>;
-
 /// Runs a rod with the fault and without it, and reads a number off each.
 Symptom run(Symptom symptom, const RodBetween& start, const Recipe& recipe, int steps, const Reading& read,
             const Recipe& right_recipe) {
-  symptom.wrong = read(after(start, recipe, steps));
-  symptom.right = without_rounding(read(after(start, right_recipe, steps)), 1);
+  symptom.unit = read.unit;
+  symptom.wrong = read.of(after(start, recipe, steps));
+  symptom.right = without_rounding(read.of(after(start, right_recipe, steps)), 1);
   symptom.run = {start, recipe, right_recipe, steps, read};
   return symptom;
 }
@@ -57,18 +56,20 @@ Symptom run(Symptom symptom, const RodBetween& start, const Recipe& recipe, int 
   return run(std::move(symptom), start, recipe, steps, read, right);
 }
 
-double downwards(const RodBetween& rod) { return -rod.two.v.y(); }
-double momentum_left(const RodBetween& rod) { return 100 * (rod.one.v.x() + rod.two.v.x()) / trial.blow; }
-double too_long(const RodBetween& rod) { return rod.too_long(); }
-double error_left(const RodBetween& rod) { return 100 * rod.too_long() / trial.off; }
-double spin(const RodBetween& rod) { return rod.two.spin; }
+const Reading downwards{"speed", "m/s", [](const RodBetween& rod) { return -rod.two.v.y(); }};
+const Reading momentum_left{"momentum left", "%", [](const RodBetween& rod) {
+                              return 100 * (rod.one.v.x() + rod.two.v.x()) / trial.blow;
+                            }};
+const Reading too_long{"stretch", "m", [](const RodBetween& rod) { return rod.too_long(); }};
+const Reading error_left{"error left", "%",
+                         [](const RodBetween& rod) { return 100 * rod.too_long() / trial.off; }};
+const Reading spin{"ω", "rad/s", [](const RodBetween& rod) { return rod.two.spin; }};
 
 SymptomGroup of_one_row() {
   return {
       "One rod, without correction",
       {run({.seen = "The bob sinks steadily",
             .quantity = "speed downwards after 1 s",
-            .unit = "m/s",
             .law = trial.g * trial.h,
             .source = "gh",
             .cause = "gravity is added after λ, so the bob moves by a gh that its row has not seen",
@@ -77,7 +78,6 @@ SymptomGroup of_one_row() {
            hanging(), {.fault = Fault::gravity_last}, 60, downwards),
        run({.seen = "The bob flies off at once",
             .quantity = "speed downwards after 10 steps",
-            .unit = "m/s",
             .law = trial.g * trial.h * 2046,
             .source = "gh(2¹¹ − 2)",
             .cause = "λ has the wrong sign, so each step doubles the speed that it should remove",
@@ -86,7 +86,6 @@ SymptomGroup of_one_row() {
            hanging(), {.fault = Fault::sign_of_lambda}, 10, downwards),
        run({.seen = "Two bobs fly apart when one is hit",
             .quantity = "stretch after 1 s",
-            .unit = "m",
             .law = trial.blow,
             .source = "the whole speed of the blow, times 1 s",
             .cause = "l₁ lacks its minus sign, so the row pushes both bodies the same way",
@@ -95,7 +94,6 @@ SymptomGroup of_one_row() {
            pair_that_was_hit(), {.gravity = 0, .fault = Fault::sign_of_l1}, 60, too_long),
        run({.seen = "Bodies lose their momentum",
             .quantity = "momentum left after 10 steps",
-            .unit = "%",
             .law = 100 / 1024.0,
             .source = "2⁻¹⁰ with equal masses",
             .cause = "(20) is applied to one body only",
@@ -104,7 +102,6 @@ SymptomGroup of_one_row() {
            pair_that_was_hit(), {.gravity = 0, .fault = Fault::second_body_only}, 10, momentum_left),
        run({.seen = "At first the bob falls almost freely",
             .quantity = "speed downwards after 0.1 s",
-            .unit = "m/s",
             .law = trial.g * (1 - trial.h) * (1 - std::pow(1 - trial.h, 6)),
             .source = "g(1 − h)(1 − (1 − h)⁶) · 1 s",
             .cause = "λ is multiplied by h, as if it were a force; the λ of (17) is an impulse",
@@ -113,7 +110,6 @@ SymptomGroup of_one_row() {
            hanging(), {.fault = Fault::lambda_times_h}, 6, downwards),
        run({.seen = "It works only for 1 kg",
             .quantity = "speed downwards after 1 s",
-            .unit = "m/s",
             .law = (trial.mass - 1) * trial.g * trial.h,
             .source = "(m − 1)gh, m in kg",
             .cause = "m⁻¹ is missing in (19), so a step leaves 1 − 1/m of JV: a heavy bob sinks, and one below "
@@ -123,7 +119,6 @@ SymptomGroup of_one_row() {
            hanging(), {.fault = Fault::no_mass}, 60, downwards),
        run({.seen = "The rod of a moving bob grows slowly",
             .quantity = "stretch after 2 s at 6 m/s",
-            .unit = "m",
             .law = laws::drifted_radius(trial.length, trial.speed, trial.h, 2) - trial.length,
             .source = "L(1 + 2v²ht/L²)^¼ − L",
             .cause = "nothing in the step is wrong: JV = 0 follows the tangent, and b is missing",
@@ -144,19 +139,17 @@ SymptomGroup of_correction() {
       sixty{.beta = trial.beta, .gravity = 0};
   Symptom frame_rate = run({.seen = "Joints are softer on a slow machine",
                             .quantity = "error left after 0.1 s at 30 steps a second",
-                            .unit = "%",
                             .law = 100 * std::pow(1 - trial.beta, 3),
                             .source = "(1 − β)³; at 60 steps a second (1 − β)⁶",
                             .cause = "β is a share per step, and the number of steps in a second has changed",
                             .test = "keep h/β when you change h: the half-life stays about the same",
                             .more = "`./lessons/run 4 --step 5`"},
                            hanging(trial.off), twice_the_step, 3, error_left);
-  frame_rate.right = error_left(after(hanging(trial.off), sixty, 6));
+  frame_rate.right = error_left.of(after(hanging(trial.off), sixty, 6));
   frame_rate.run->right = sixty;
   return {"The correction",
           {run({.seen = "Small errors grow exponentially",
                 .quantity = "error left after 5 steps",
-                .unit = "%",
                 .law = 100 * std::pow(1 + trial.beta, 5),
                 .source = "(1 + β)⁵",
                 .cause = "b has the wrong sign: (22) says JV = −(β/h)C, so b = +(β/h)C in (17)",
@@ -165,7 +158,6 @@ SymptomGroup of_correction() {
                hanging(trial.off), correcting(Fault::sign_of_bias), 5, error_left),
            run({.seen = "An error takes seconds to go away",
                 .quantity = "error left after 1 s",
-                .unit = "%",
                 .law = 100 * std::pow(1 - trial.beta * trial.h, 60),
                 .source = "(1 − βh)⁶⁰",
                 .cause = "b = βC lacks the 1/h, so β is a rate in 1/s and not a share per step",
@@ -175,7 +167,6 @@ SymptomGroup of_correction() {
            frame_rate,
            run({.seen = "It works only for rods of 1 m",
                 .quantity = "error left after 1 step",
-                .unit = "%",
                 .law = 100 * (1 - trial.beta / (trial.length + trial.off)),
                 .source = "1 − β/|d|, |d| in m",
                 .cause = "C is |d| − L, but J belongs to ½(d² − L²)",
@@ -184,7 +175,6 @@ SymptomGroup of_correction() {
                hanging(trial.off), correcting(Fault::mixed_forms), 1, error_left),
            run({.seen = "Errors go away twice as fast as β says",
                 .quantity = "error left after 1 step",
-                .unit = "%",
                 .law = 100 * (1 - trial.beta * (2 * trial.length + trial.off) / (trial.length + trial.off)),
                 .source = "1 − β(2L + C)/(L + C)",
                 .cause = "the ½ is missing in C, but not in J",
@@ -193,7 +183,6 @@ SymptomGroup of_correction() {
                hanging(trial.off), correcting(Fault::no_half), 1, error_left),
            run({.seen = "The rod flickers, more and more",
                 .quantity = "error left after 10 steps",
-                .unit = "%",
                 .law = 100 * std::pow(1.1, 10),
                 .source = "(1 − β)¹⁰ with β = 2.1",
                 .cause = "β is above 2, so each step overshoots by more than the error",
@@ -227,7 +216,6 @@ SymptomGroup of_turning_bodies() {
   return {"Bodies that turn",
           {run({.seen = "The box turns the wrong way",
                 .quantity = "ω of a box that hangs by its corner, after 1 step",
-                .unit = "rad/s",
                 .law = -right_spin,
                 .source = "λa/I with the sign of n × r",
                 .cause = "the lever is n × r in place of r × n",
@@ -236,7 +224,6 @@ SymptomGroup of_turning_bodies() {
                box, with(Fault::lever_backwards), 1, spin),
            run({.seen = "It works until the body has turned",
                 .quantity = "stretch of a box that is upside down, after 2 s",
-                .unit = "m",
                 .law = 2 * trial.arm,
                 .source = "2|r|",
                 .cause = "r is kept as it was at the start; it must turn with its body",
@@ -245,7 +232,6 @@ SymptomGroup of_turning_bodies() {
                hanging_box(top, {-1, 0}), with(Fault::lever_left), 120, too_long),
            run({.seen = "It comes to rest at the wrong length",
                 .quantity = "stretch after 2 s",
-                .unit = "m",
                 .law = -trial.arm,
                 .source = "−|r|",
                 .cause = "C measures from centre to centre, J from anchor to anchor",
@@ -305,7 +291,7 @@ SymptomGroup of_several_rows() {
         .right = measured_growth(cold, trial.h, 2000),
         .tolerance = 1e-3},
        {.seen = "A ball bounces when it should not",
-        .quantity = "speed after two rows, of 1 m/s before",
+        .quantity = "speed after two rows (1 m/s before)",
         .unit = "m/s",
         .law = 1,
         .source = "−u + 2u",
@@ -314,7 +300,7 @@ SymptomGroup of_several_rows() {
         .more = "`./lessons/run 3 --step 1`, `./lessons/run practise 7`",
         .wrong = solved_at_once(2)},
        {.seen = "Bodies stick to the ground",
-        .quantity = "speed of a ball that leaves at 2 m/s, after its row",
+        .quantity = "speed, after its row, of a ball leaving at 2 m/s",
         .unit = "m/s",
         .law = 0,
         .source = "JV = 0",

@@ -217,23 +217,40 @@ void the_trap(const Setting& setting, Page& page) {
                          "k sweeps leave q = cos²ᵏ(π/2N) of the slowest wave (lesson 3).",
                          say("Here q is @: compare β with (1 − q)/q, and with 2.", shown_q)}});
   ChainsFilm film = film_of(setting, beta);
-  const auto ends = [&](const Curve& curve, double a_step) {
-    if (curve.x.empty() || curve.x.back() < chain_seconds - 1.5 * setting.h())
-      return std::string("grow until the chain breaks up");
-    if (a_step >= 1) return std::string("grow");
-    const double last = curve.y.back();
-    if (std::isnan(last)) return std::string("fall below 10⁻⁵ L");
-    return say(last > HangingChain::start_error ? "end at @ L (it sags)" : "come down to @ L", Value(last, 2));
+  struct End {
+    bool grows, breaks_up;
+    std::string words;
   };
-  const std::string of_cold = ends(film.beside.curves[0], cold), of_warm = ends(film.beside.curves[1], growth);
+  const auto end_of = [&](const Curve& curve, double a_step) {
+    const bool breaks_up = curve.x.empty() || curve.x.back() < chain_seconds - 1.5 * setting.h();
+    if (breaks_up) return End{true, true, "grow until it breaks up"};
+    if (a_step >= 1) return End{true, false, "grow"};
+    const double last = curve.y.back();
+    if (std::isnan(last)) return End{false, false, "fall below 10⁻⁵ L"};
+    const bool settled = std::abs(last / curve.y[3 * curve.y.size() / 4] - 1) < 0.2;
+    return End{false, false,
+               say(last <= HangingChain::start_error ? "come down to @ L"
+                   : settled                         ? "settle at @ L, the sag"
+                                                     : "are at @ L in the end",
+                   Value(last, 2))};
+  };
+  const End of_cold = end_of(film.beside.curves[0], cold), of_warm = end_of(film.beside.curves[1], growth);
+  const auto outcome = [&]() -> std::string {
+    if (of_cold.grows && of_warm.grows)
+      return std::string("the errors of both chains grow") +
+             (of_cold.breaks_up && of_warm.breaks_up ? ", and both break up"
+              : of_cold.breaks_up                    ? ", and the cold chain breaks up"
+              : of_warm.breaks_up                    ? ", and the warm chain breaks up"
+                                                     : "");
+    if (of_cold.words == of_warm.words) return "the errors of both chains " + of_warm.words;
+    return say("the warm chain's errors @; those of the cold chain @", of_warm.words, of_cold.words);
+  };
   page.sequence(
       "warm_and_cold",
       say(R"(The same chain of @ m with β = @ and @ a step, with warm and with cold start; its lowest rod begins
           @ % too long. Within @ s @.)",
           links * setting.length, setting.beta, several(sweeps, "sweep"), 100 * HangingChain::start_error,
-          chain_seconds,
-          of_warm == of_cold ? "the errors of both chains " + of_warm
-                             : say("the warm chain's errors @, while the cold chain's @", of_warm, of_cold)),
+          chain_seconds, outcome()),
       Seconds{film.beside.x.range->second},
       [film, h = setting.h()](Canvas& canvas, double time) mutable { film.draw(canvas, time, h); });
   page.text(

@@ -104,9 +104,18 @@ void what_it_costs(const Setting& setting, Page& page) {
   const SimplePendulum exact(radians(setting.release()), length, gravity);
   const double period = exact.period();
 
+  const double breaks = breaks_at(setting, beta, period);
+  if (std::isfinite(breaks))
+    page.text("With β = @ the rod does not even roughly keep its length: after @ s it is off by half of it.",
+              setting.beta, Value(breaks, 3));
+  const auto compared = film_betas(setting);
   page.text(
-      R"(Now with gravity: release three pendulums from @°, one without correction, one with β = @ and one with β = @.)",
-      setting.release(), Value(film_betas(setting)[1]), Value(film_betas(setting)[2]));
+      R"(Now with gravity: release three pendulums from @°, one without correction, one with β = @@ and one with β = @.)",
+      setting.release(), Value(compared[1]),
+      compared[1] == beta     ? ""
+      : std::isfinite(breaks) ? " instead"
+                              : " for comparison",
+      Value(compared[2]));
   page.sequence(
       "three_pendulums",
       R"(In colour: the article's step; dashed: the exact pendulum. Below: the size of each rod's error.)",
@@ -152,18 +161,18 @@ void what_it_costs(const Setting& setting, Page& page) {
            R"(The article calls Baumgarte an addition of energy, and in weightlessness it did add some. Does the
                   pendulum gain or lose energy from the first swing to the third, for β from @ to @?)",
            betas.front(), betas.back()),
-       .options = {{"it gains, for all of these β",
-                    R"(The correction only pulls the bob in as far as earlier steps let it out, and the outward
-                    velocity of each step has been removed.)"},
-                   {"it loses, for all of these β",
-                    loses
-                        ? R"(The correction takes back what it adds, and the energy of each step's outward velocity
-                            is removed. The stretch lags behind the tension, so the tension does negative work in
-                            every swing.)"
-                        : "Not here: with so few steps a swing, or so small a swing, some β gain."},
-                   {"it gains for some and loses for others",
-                    loses ? "How much it loses depends strongly on β. The sign does not."
-                          : "With so few steps a swing, or so small a swing, the sign depends on β."}},
+       .options =
+           {{"it gains, for all of these β",
+             R"(The correction pulls the bob in only as far as earlier steps let it out, and later, when the
+                    tension is a little smaller.)"},
+            {"it loses, for all of these β",
+             loses ? R"(Moving out, the bob works against the tension; pulled back in, it gets that work back. But
+                            the stretch lags some steps behind the tension, so the rod lengthens under a slightly
+                            larger tension than it shortens under.)"
+                   : "Not here: with so few steps a swing, or so small a swing, some β gain."},
+            {"it gains for some and loses for others",
+             loses ? "How much it loses depends strongly on β. The sign does not."
+                   : "With so few steps a swing, or so small a swing, the sign depends on β."}},
        .answer = loses ? 1 : 2,
        .hints = {"Without correction it lost. Does the correction add more than it takes back?",
                  "The tension T does the work −∮ T Ċ dt over a swing.",
@@ -207,11 +216,9 @@ void what_it_costs(const Setting& setting, Page& page) {
       "Where the energy goes",
       {{"each step adds ½h²u to C, and removes βC", "C′ = (1 − β)C + ½h²u",
         R"(C' = (1-\beta)\,C + \tfrac12 h^2 u)"},
-       {"the drift of j steps ago counts with (1 − β)ʲ, so what makes up C is on average (1 − β)/β steps old, and "
-        "half "
-        "a step more, as each drift builds up during its step; if u changes little within h/β, C follows u with "
-        "the "
-        "delay τ",
+       {"of the drift that was added j steps ago the share (1 − β)ʲ is left, so the drift in C is on average "
+        "(1 − β)/β steps old, and half a step more, because each drift builds up during its step; if u changes "
+        "little within h/β, C follows u with the delay τ",
         "C(t) = h²/(2β) · u(t − τ),   τ = h(1 − β)/β + h/2 = h(2 − β)/(2β)",
         R"(C(t) = \frac{h^2}{2\beta}\,u(t-\tau),\qquad \tau = h\,\frac{1-\beta}{\beta} + \frac h2 = \frac{h(2-\beta)}{2\beta})"},
        {"the rod pulls inward with T, so over a swing it does the work", "W = −∮ T Ċ dt",
@@ -224,22 +231,16 @@ void what_it_costs(const Setting& setting, Page& page) {
        {"so W has the sign of −(2 − β): a loss for every β below 2", "W = −h³(2 − β)/(4β²) ∮ Ṫ u̇ dt",
         R"(W = -\frac{h^3(2-\beta)}{4\beta^2}\oint \dot T\,\dot u\,dt)"}});
 
-  const double breaks = breaks_at(setting, beta, period);
   if (std::isinf(breaks)) {
     const Errors own = measure(setting, beta, period);
     page.measure("largest drift", 1000 * own.drift, "mm per m");
     page.measure("energy change, first to third swing", without_rounding(own.energy, 1), "mgL");
     page.measure("error of the period", 100 * without_rounding(own.period, 1), "%");
-  } else {
-    page.text(
-        R"(With β = @ the rod does not even roughly keep its length: after @ s it is off by half of it, and there is
-              no swing to measure.)",
-        setting.beta, Value(breaks, 3));
   }
 
   const Condition wide = within(30, Quantity("release", setting.release, "°"), 120),
                   usual = both(wide, Quantity("steps of a swing", period / h) >= 100);
-  page.claim(say("the most energy that any β from @ to @ gained", betas.front(), betas.back()), most, "mgL",
+  page.claim(say("largest energy change of any β from @ to @", betas.front(), betas.back()), most, "mgL",
              is_at_most(rounding, "ΔE < 0 for β < 2, but for rounding"), usual);
   const double behind = lag(setting, beta);
   const Condition near = where(Quantity("h/β·√(g/L)", behind) <= 0.3, Quantity("β", beta) <= 1, usual);

@@ -24,6 +24,7 @@ struct Track {
 
 struct Filmed {
   std::string name;
+  Reading read;
   Track wrong, right;
   Rectangle world;  // what is seen [m]
 };
@@ -39,14 +40,14 @@ bool inside(const Rectangle& world, const RodBetween& rod) {
 
 Track track(const FaultyRun& run, const Recipe& recipe, const Rectangle& world) {
   RodBetween rod = run.start;
-  Track track{{rod}, {run.read(rod)}};
+  Track track{{rod}, {run.read.of(rod)}};
   const double seconds = std::max(run.steps, least_steps) * run.recipe.h;
   bool seen = true;
   for (int i = 0; i < static_cast<int>(std::lround(seconds / recipe.h)); ++i) {
     advance(rod, recipe);
     seen = seen && inside(world, rod);
     if (seen) track.rods.push_back(rod);
-    track.measured.push_back(run.read(rod));
+    track.measured.push_back(run.read.of(rod));
   }
   return track;
 }
@@ -55,7 +56,7 @@ Filmed filmed(const Symptom& symptom) {
   const FaultyRun& run = *symptom.run;
   const bool anchored = run.start.one.inverse_mass == 0;
   const Rectangle world = anchored ? Rectangle{-2.6, -3.9, 5.2, 5.1} : Rectangle{-2.6, -2.4, 5.2, 4.8};
-  return {symptom.seen, track(run, run.recipe, world), track(run, run.right, world), world};
+  return {symptom.seen, run.read, track(run, run.recipe, world), track(run, run.right, world), world};
 }
 
 void draw(Canvas& canvas, const RodBetween& rod, bool ghost) {
@@ -113,8 +114,14 @@ void draw(Canvas& canvas, const std::vector<Filmed>& runs, double share) {
     canvas.text({panel.centre().x(), panel.top() - (title / 2 - 1)},
                 narrow ? pictures::wrapped(canvas, run.name, panel.width, bold) : run.name, bold);
     canvas.rectangle(below, {palette::paper, {palette::grid, 1.5}});
-    const auto [picture, chart] = below.split_columns(narrow ? 0.5 : 0.38, 4);
-    draw_measured(canvas, run, share, chart.inset(10));
+    const auto [picture, beside] = below.split_columns(narrow ? 0.5 : 0.38, 4);
+    const auto [label, chart] = beside.inset(10).split_rows(16 / (below.height - 20), 2);
+    draw_measured(canvas, run, share, chart);
+    canvas.text({label.x, label.centre().y()},
+                narrow ? run.read.name
+                       : say("@ @ @", run.read.name, Value(run.wrong.measured[run.wrong.step_at(share)], 3),
+                             run.read.unit),
+                {.size = 13, .colour = palette::muted, .anchor = Anchor::left});
     canvas.look(fit(run.world, picture, 0));
     canvas.clip(picture);
     draw(canvas, run.wrong.rod_at(share), false);
@@ -156,8 +163,8 @@ void when_it_does_not_work(const Setting&, Page& page) {
       if (symptom.run) runs.push_back(filmed(symptom));
   page.sequence(
       "symptoms",
-      R"(Each rod over the time of its measurement, at least ten steps, and what is measured: purple, the wrong program;
-                dashed, the correct one. NaN and the symptoms of several rows are not drawn.)",
+      R"(Each rod over the time of its measurement, at least ten steps. Purple and in numbers: the wrong program; dashed:
+                the correct one. NaN and the symptoms of several rows are not drawn.)",
       Seconds{film_length}, [runs](Canvas& canvas, double time) { draw(canvas, runs, time / film_length); });
   for (const auto& [title, symptoms] : groups) {
     std::string list;
