@@ -230,7 +230,7 @@ void the_trap(const Setting& setting, Page& page) {
     const bool settled = std::abs(last / curve.y[3 * curve.y.size() / 4] - 1) < 0.2;
     return End{false, false,
                say(last <= HangingChain::start_error ? "come down to @ L"
-                   : settled                         ? "settle at @ L, the sag"
+                   : settled                         ? "end at @ L, the sag"
                                                      : "are at @ L in the end",
                    Value(last, 2))};
   };
