@@ -96,7 +96,7 @@ class PageWriter {
   }
 
   void operator()(const Figure& figure) {
-    const bool has_data = !std::holds_alternative<Drawing>(figure.picture);
+    const bool has_data = !figure.data.empty() || !std::holds_alternative<Drawing>(figure.picture);
     paragraph(picture(figure.caption, figure_path(figure.name), has_data ? "data" : "", data_path(figure.name)));
   }
 

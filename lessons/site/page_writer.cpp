@@ -47,9 +47,10 @@ class Drawer {
       : site_(site), folder_(slug + "/"), narrow_(&narrow_ones) {}
 
   Shown operator()(const Figure& figure) const {
-    if (const auto* chart = chart_of(figure)) course::write_whole(site_ / data(figure), csv(*chart));
-    const std::string link =
-        std::holds_alternative<Drawing>(figure.picture) ? "" : fmt::format("<a href=\"{}\">CSV</a>", data(figure));
+    const auto* chart = chart_of(figure);
+    const std::string values = chart != nullptr ? csv(*chart) : figure.data;
+    if (!values.empty()) course::write_whole(site_ / data(figure), values);
+    const std::string link = values.empty() ? "" : fmt::format("<a href=\"{}\">CSV</a>", data(figure));
     const auto draw = [&](int width) { return drawn(figure, in_files(figure.name, width), width); };
     const std::string id = "figure-" + figure.name;
     if (!std::holds_alternative<TimedChart>(figure.picture)) return shown(id, draw, in_page, link);
