@@ -58,7 +58,8 @@ std::string data_of(const std::vector<Line>& lines) {
 Chart deviations(const std::vector<Line>& lines) {
   std::vector<Tick> numbers;
   for (const Line& line : lines)
-    if (line.first) numbers.push_back({static_cast<double>(line.law), std::to_string(line.law)});
+    if (line.first)  // two digits each: every second is named, or they would touch
+      numbers.push_back({static_cast<double>(line.law), line.law % 2 == 1 ? std::to_string(line.law) : ""});
   Chart chart{.x = {.label = "law", .ticks = numbers}, .y = {.label = "measured / predicted − 1 (%)"}};
   for (std::size_t family = 0; family < families.size(); ++family) {
     Curve curve{.label = families[family], .style = CurveStyle::markers};
@@ -158,8 +159,8 @@ void all_laws(const Setting&, Page& page) {
                     families[static_cast<std::size_t>(law.family)]});
   page.table({"", "law", "what it says", "limit", "nearest family"}, rows);
   page.text(
-      R"(A law is worth what it predicts. So each is tested at several settings: the number that its derivation gives
-      beside the number that runs give, found for a limit by bisection between runs on either side of it.)");
+      R"(A law is worth what it predicts. So each is tested at several settings: the number from its derivation
+      stands beside the number from runs; a limit is found by bisection, between runs on either side of it.)");
   page.figure(
       "all_laws",
       say(R"(@ limits of @ laws. Left: how far each measured limit lies from the predicted one, with the median

@@ -86,7 +86,7 @@ void growing_mode(Page& page) {
   page.sequence(
       "growing_mode",
       say(R"(Four steps of a mass on an undamped explicit spring, ωh = @, slowed down to @ s. Each multiplies x by z
-                    = @, a root of z² − (2 − ω²h²)z + 1 = 0. Orange: h²ω²x, by which the pull changes hv; green: hv after it; both
+                    = @. Orange: h²ω²x, by which the pull changes hv; green: hv after it; both
                     drawn a quarter as long.)",
           omega_h, film.seconds(), Value(z, 4)),
       Seconds{film.seconds()},

@@ -16,6 +16,19 @@ Outcome two_boxes(int sweeps, double ratio) {
   return laws::hop({.boxes = 2, .sweeps = sweeps, .beta = pair_beta, .top_mass = ratio, .steps = 10'000});
 }
 
+/// Whether a box flies off while a heavier one only hops: " Not always …", or "".
+std::string out_of_order(const Map& map) {
+  const std::size_t columns = map.x.values.size(), rows = map.y.values.size();
+  for (std::size_t column = 0; column < columns; ++column)
+    for (std::size_t row = 0; row + 1 < rows; ++row)
+      if (map.outcomes[row * columns + column] == Outcome::explodes &&
+          map.outcomes[(row + 1) * columns + column] == Outcome::rings)
+        return say(" Not always in order of mass: with @, @ kg flies off, @ kg only hops.",
+                   several(std::lround(map.x.values[column]), "sweep"), Value(map.y.values[row], 2),
+                   Value(map.y.values[row + 1], 2));
+  return "";
+}
+
 }  // namespace
 
 void heavy_on_light(const Setting& setting, Page& page) {
@@ -51,8 +64,8 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const auto boundary = [&](double k) { return limits[std::min(17, static_cast<int>(std::lround(k)))]; };
   page.figure("mass_and_sweeps",
               say("Each cell is one run of two boxes, β = @. A box “flies off” if it rises a box's height. "
-                  "Dashed: the law.",
-                  pair_beta),
+                  "Dashed: the law.@",
+                  pair_beta, out_of_order(map)),
               chart(map, say("r of law 9 at β = @", pair_beta), boundary,
                     {"settles", "drifts", "goes on hopping", "flies off", "no solution"}));
   const Agreement agreed = agreement(map, boundary, Settles::below);

@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .resolution = lesson.parameter("resolution", 20, "1", {4, 64}, "cells along each side of a map"),
-      .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "in the stack of the film"),
+      .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "in the stack that leans, step 1"),
       .sweeps =
           lesson.parameter("sweeps", 4, "1", {1, 30}, "sweeps a step, for the stack and for the chain that rings"),
       .beta = lesson.parameter("beta", 0.3, "1", {0.01, 1}, "share of an error that a step corrects"),

@@ -21,36 +21,31 @@ void many_contacts(const Setting& setting, Page& page) {
   const double mu = laws::largest_eigenvalue(contacts);
 
   page.text(
-      R"(A box lies on @ points in a row. In Jacobi's method every row answers as if it were alone (lesson 3): all see
-      the same fall, and all push at once. The fall of the whole box is the error that they overcorrect most: together
-      they correct it μ = @ times over. μ is the largest eigenvalue of D⁻¹A, with A = JM⁻¹Jᵀ of all rows and D its
-      diagonal.)",
-      contacts, Value(mu, 3));
-  page.predict(
-      {.ask = "By what factor does one Jacobi iteration multiply this error? (Mind the sign.)",
-       .answer = 1 - mu,
-       .unit = "1",
-       .tolerance = 0.05,
-       .wrong =
-           {{mu, "That is what the rows correct together. What is left of the error?"},
-            {1 - contacts,
-             "That would be so if all points were in one place. But they lie apart, and the box also turns."}},
-       .hints = {"How much of the error do all rows correct, and what is left?", "left = error − μ · error",
-                 say("1 − @ = …", Value(mu, 4))},
-       .right = "μ times the error is corrected, so 1 − μ of it is left: larger, and of the other sign."});
-  page.text("With relaxation each row makes only a share ω of its correction:");
-  page.formula("|1 − ω μ| < 1:   ω < 2/μ = 2/@ = @",
-               R"(|1 - \omega\mu| < 1: \quad \omega < \frac{2}{\mu} = \frac{2}{@} = @)", Value(mu, 3),
-               Value(2 / mu, 3));
+      R"(In lesson 3 four rods on one box made Jacobi overshoot: every row sees the same fall, all push at once, and
+      together they correct the fall of the box μ = @ times over. Contacts do the same. With relaxation each row makes
+      only a share w of its correction:)",
+      Value(mu, 3));
+  page.formula("|1 − w μ| < 1:   w < 2/μ = 2/@ = @",
+               R"(|1 - w\mu| < 1: \quad w < \frac{2}{\mu} = \frac{2}{@} = @)", Value(mu, 3), Value(2 / mu, 3));
+  const double ratio = laws::largest_eigenvalue(2 * contacts) / mu;
+  page.choose(
+      {.ask = say("The box lies on @ points instead of @. What happens to the largest w?", 2 * contacts, contacts),
+       .options = {{"it stays about the same", "It would if each row saw what the others do."},
+                   {"it about halves", say("μ grows from @ to @: as many more rows correct the same fall.",
+                                           Value(mu, 3), Value(ratio * mu, 3))},
+                   {"it falls to about a quarter", "There are twice as many rows, and μ counts them once."}},
+       .answer = static_cast<int>(std::lround(std::log2(ratio))),
+       .hints = {"How many rows correct the fall of the box at once?",
+                 "μ is about in proportion to the number of contacts.", "w < 2/μ"}});
   const Map map = map_of(page, counting_knob("contacts", 2, 16, setting.resolution, renderer::Scale::linear),
-                         knob("relaxation ω", 0.1, 1.9, setting.resolution),
-                         [](double n, double omega) { return laws::jacobi(static_cast<int>(n), omega); });
+                         knob("relaxation w", 0.1, 1.9, setting.resolution),
+                         [](double n, double w) { return laws::jacobi(static_cast<int>(n), w); });
   const auto boundary = [](double n) {
     return 2 / laws::largest_eigenvalue(std::max(2, static_cast<int>(std::lround(n))));
   };
   page.figure("contacts_and_relaxation",
-              "Each cell is one run of Jacobi on the contacts of one box. Dashed: ω = 2/μ.",
-              chart(map, "ω = 2/μ", boundary, {"converges", "drifts", "rings", "diverges", "no solution"}));
+              "Each cell is one run of Jacobi on the contacts of one box. Dashed: w = 2/μ.",
+              chart(map, "w = 2/μ", boundary, {"converges", "drifts", "rings", "diverges", "no solution"}));
   const Agreement agreed = agreement(map, boundary, Settles::below);
   page.text(
       R"(@ This is the second family without any β: each row is right by itself, and together they correct too much.
@@ -58,7 +53,7 @@ void many_contacts(const Setting& setting, Page& page) {
       agreed.sentence());
   claim_agreement(page, agreed, 0.15, "law of relaxed Jacobi", setting.resolution);
   page.claim(say("relaxation from which @ contacts diverge, by bisection", contacts),
-             laws::bisect([](double omega) { return laws::jacobi(contacts, omega) == Outcome::settles; }, 1 / mu,
+             laws::bisect([](double w) { return laws::jacobi(contacts, w) == Outcome::settles; }, 1 / mu,
                           std::min(1.99, 3 / mu), 0.001),
              "1", is(2 / mu, "law of relaxed Jacobi: 2/μ", relative(0.01)));
   for (const int n : {4, 16})

@@ -99,18 +99,20 @@ void overshoots(const Setting& setting, Page& page) {
           links, setting.beta, several(sweeps, "sweep"), end_of(chains, 0), end_of(chains, 1), end_of(chains, 2)),
       Seconds{chains.seconds()}, chains.drawing());
   const Quantity chosen("β", beta), largest("limit of the warm chain", limit);
+  int digits = 3;
+  while (digits < 12 && course::number(limit, digits) == course::number(beta, digits)) ++digits;
+  const Value told(limit, digits);
   page.text(page.verdict(
       {{.when = chosen > largest,
-        .say =
-            say("β = @ is above the warm chain's limit of @, so its error grows.", setting.beta, Value(limit, 3))},
-       {.when = both(chosen <= largest, largest < 2),
+        .say = say("β = @ is above the warm chain's limit of @, so its error grows.", setting.beta, told)},
+       {.when = both(chosen <= largest, largest < 1),
         .say = say(
             "β = @ is below the warm chain's limit of @, so its error dies out. Choose a larger β to see it ring.",
-            setting.beta, Value(limit, 3))},
-       {.when = largest >= 2,
-        .say =
-            say("The limit is @ here, above every β of this lesson. Take fewer sweeps to see the warm chain ring.",
-                limit)}}));
+            setting.beta, told)},
+       {.when = both(chosen <= largest, largest >= 1),
+        .say = say("β = @ is below the warm chain's limit of @, so its error dies out. Choose fewer sweeps to see "
+                   "it ring.",
+                   setting.beta, told)}}));
   page.text(
       R"(Write C for the error of the slowest wave and v for its rate. One warm step acts on them linearly: it
       multiplies them by a root z of)");

@@ -68,7 +68,7 @@ std::vector<Regime> regimes(const Setting& setting) {
       {"ωh of an explicit spring", "2(√(1 + ζ²) − ζ)", "it explodes", "a soft row in its place", 11,
        say("ωh = @, ζ = 0", spring), spring, 2,
        [=] { return laws::explicit_spring(spring, 0) == Outcome::settles; }},
-      {"v h/(r + margin + w/2)", "1", "it passes through a wall", "speculative contacts", 16,
+      {"v h/(r + margin + d/2)", "1", "it passes through a wall", "speculative contacts", 16,
        say("@ m/s, wall of @ m", balls.speed, balls.wall), balls.speed * balls.step / thick, 1,
        [=] { return laws::share_that_passes(balls) == 0; }}};
 }
@@ -80,9 +80,10 @@ void regimes(const Setting& setting, Page& page) {
   const std::vector<char> held =
       page.side_by_side(static_cast<int>(all.size()), [&](int i) { return static_cast<char>(all[i].holds()); });
   page.text(
-      R"(Seven numbers tell, before a scene runs, which law it will meet. T is the tension, m and l are the mass and
-      length of a link; N boxes have height a and width w; k is the number of sweeps a step, K the stiffness of a
-      contact; ρ is the share that a sweep leaves (of a chain cos²(π/2N)); h is the step. The examples take this
+      R"(Seven numbers tell, before a scene runs, which law it will meet. T: tension; m: mass of a link or box, M: of a
+      heavier box; l: length of a link; N boxes of height a and width w; k: sweeps a step; K: stiffness of a contact (k
+      in step 4); ρ: share that a sweep leaves (of a chain cos²(π/2N)); h: step; ω, ζ: see step 7d; v, r: speed and
+      radius of a ball that is found at *margin* from a wall of thickness d. The examples take this
       lesson's parameters, and each was run. Their limits are for their own N; *stay below* is for many links or
       boxes.)");
   std::vector<std::vector<std::string>> rows;
@@ -100,7 +101,7 @@ void regimes(const Setting& setting, Page& page) {
   page.text(
       R"(Two more decide how large an error is, not whether it grows: a pin at distance r on a body that turns by ωh in
       a step is off by r(ωh)²/2 (law 13), and Baumgarte leaves a spinning rod too long by (ωh)²/2β of its length (law
-      1). Step doubling cannot measure accuracy under Baumgarte: it sees β(1 − β)C whatever the step (law 21).)");
+      1).)");
   page.claim("examples at least 15 % from their limits whose outcome the number predicts",
              static_cast<double>(right), "1",
              is(static_cast<double>(decided), "the laws of the table", absolute(0)));

@@ -34,7 +34,7 @@ void springs(const Setting& setting, Page& page) {
       it?)",
       without);
   page.predict(
-      {.ask = "Critically damped, ζ = 1: up to which ωh is an explicit spring stable?",
+      {.ask = "Critically damped, ζ = 1: what is the largest ωh at which an explicit spring is stable?",
        .answer = critical,
        .unit = "1",
        .tolerance = 0.05,

@@ -107,9 +107,10 @@ void too_large_a_step(const Setting& setting, Page& page) {
                  "ω² grows with T/(ml), and symplectic Euler needs ωh < 2.",
                  "With h/2, ω may be twice as large, so ω² and T may be four times as large."},
        .hinted = 4 * limit,
-       .right = say(R"(T h² counts: with half the step, four times the tension. That would be @ kg; the rest is the
+       .right = say(
+           R"(What counts is T h²: half the step allows four times the tension. That would be @ kg; the rest is the
                        links' own weight, which is part of T.)",
-                    Value(4 * limit, 4))});
+           Value(4 * limit, 4))});
   page.formula(
       "ω_max h < 2, for a long light chain T h²/(m l) < 1:   @ kg at @ Hz",
       R"(\omega_{\max} h < 2, \quad \text{for a long light chain } \frac{T h^2}{m\,l} < 1: \quad @\ \mathrm{kg\ at\ } @\ \mathrm{Hz})",

@@ -97,7 +97,9 @@ void too_soft(const Setting& setting, Page& page) {
                  "k = m_eff ω², and mgaN² < kw²/N: N³ is proportional to k.",
                  say("N³ grows by a factor of 4: N = @ · 4^(1/3)", Value(limit_of_boxes(hertz), 3))},
        .hinted = std::floor(limit_of_boxes(2 * hertz)),
-       .right = "N grows with the cube root of 4, by a factor of 1.59, in whole boxes."});
+       .right = say("k is 4 times as large, so N grows by its cube root, a factor of 1.59: @ by the law; in runs "
+                    "@ boxes stand.",
+                    Value(limit_of_boxes(2 * hertz), 3), twice)});
   page.formula(
       "N³ < 7.84 k w²/(2 m g a),   k = m_eff ω²,   m_eff = m/5:   @ boxes at @ Hz",
       R"(N^3 < 7.84\,\frac{k w^2}{2 m g a}, \quad k = m_{\text{eff}}\,\omega^2, \quad m_{\text{eff}} = \frac{m}{5}: \quad @ \text{ boxes at } @\ \mathrm{Hz})",
@@ -144,7 +146,7 @@ void too_soft(const Setting& setting, Page& page) {
   });
   const auto boundary = [](double n) { return laws::softest_contacts(static_cast<int>(std::lround(n))); };
   page.figure("boxes_and_stiffness",
-              say("Each cell is one run of 15 s at 60 Hz with @ sweeps a step, more than it needs. The push is "
+              say("Each cell is one run of 15 s, 60 steps a second of @ sweeps. The push is "
                   "10⁻⁷ m/s, not "
                   "0.02 m/s as in the film, so most columns that buckle only lean after 15 s. Dashed: the law for "
                   "N boxes.@",

@@ -60,7 +60,7 @@ void unseen(const Setting& setting, Page& page) {
   double worst = 0;
   for (int cell = 0; cell < static_cast<int>(map.values.size()); ++cell)
     worst = std::max(worst, std::abs(map.values[cell] - share_by_law(at(cell).speed, at(cell).wall)));
-  renderer::Curve law{.label = "vh = r + margin + w/2", .style = renderer::CurveStyle::theory};
+  renderer::Curve law{.label = "vh = r + margin + d/2", .style = renderer::CurveStyle::theory};
   law.colour = renderer::palette::ink;
   for (int i = 0; i <= 100; ++i) {
     law.y.push_back(0.009 * std::pow(1.2 / 0.009, i / 100.0));
@@ -72,10 +72,9 @@ void unseen(const Setting& setting, Page& page) {
   page.text(
       R"(**Which knob?** A shorter step, a thicker wall, a wider margin, or *speculative contacts*: for bodies that
       approach at v the margin grows by vh, so their contact is found before they touch. This solver does so by default
-      (it is switched off here), and then a ball that flies straight at a wall is stopped at any speed. A half-space
-      has no far side, so nothing passes through it.)");
+      (it is switched off here), and then a ball that flies straight at a wall is stopped at any speed.)");
   page.claim("balls that pass", passed, "1",
-             is(balls * share_by_law(speed, wall), "law of tunnelling: 1 − (r + margin + w/2)/(vh)", absolute(2)));
+             is(balls * share_by_law(speed, wall), "law of tunnelling: 1 − (r + margin + d/2)/(vh)", absolute(2)));
   page.claim("largest deviation of a cell from the law", worst, "1", is_at_most(0.05, "law of tunnelling"));
   for (const double fast : {30.0, 1000.0})
     page.claim(say("share that passes at @ m/s with speculative contacts", fast),

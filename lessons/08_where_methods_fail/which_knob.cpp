@@ -21,8 +21,8 @@ struct Failure {
   std::vector<Knobs> cures;  // what the steps before say
 };
 
-constexpr int times = 10, parts = 4, stiffer = 4;  // sweeps, substeps, contacts
-constexpr double hundredth = 0.01;                 // of β
+constexpr int times = 10, parts = 4, higher = 4;  // sweeps, substeps, frequency of contacts
+constexpr double hundredth = 0.01;                // of β
 
 /// Turns the knobs that all scenes have: their sweeps, none of which means a direct solve.
 void turn(int knob, int& count) {
@@ -60,7 +60,7 @@ std::optional<Outcome> soft_stack(int knob) {
   laws::Column column{.boxes = 18, .sweeps = 40, .frequency = 30};
   turn(knob, column.sweeps);
   if (knob == substeps) column.substeps = parts;
-  if (knob == stiffness) column.frequency *= stiffer;
+  if (knob == stiffness) column.frequency *= higher;
   if (knob > stiffness || knob == less_beta) return {};
   return laws::buckle(column);
 }
@@ -100,7 +100,7 @@ void which_knob(const Setting&, Page& page) {
       rings from its warm start, a taut chain with a heavy end, a soft stack that buckles, and two rods that contradict
       each other. And here are six knobs, each turned far: @ times the sweeps, a direct solve, a hundredth of β, @
       substeps, contacts of @ times the frequency, and softness.)",
-      times, parts, stiffer);
+      times, parts, higher);
   page.choose(
       {.ask = say(
            R"(@ substeps, each with the full number of sweeps, cure the leaning stack and the taut chain. Do they cure the chain
@@ -117,7 +117,7 @@ void which_knob(const Setting&, Page& page) {
                                        "direct",
                                        say("β / @", 1 / hundredth),
                                        say("@ substeps", parts),
-                                       say("@ × stiffer", stiffer),
+                                       say("@ × frequency", higher),
                                        "softness"};
   std::vector<double> x, y;
   for (int i = 0; i < how_many; ++i) {

@@ -115,14 +115,14 @@ void wrong_rows(const Setting& setting, Page& page) {
                 @ steps a second?)",
                std::lround(1 / rigid.step)),
        .answer = rate,
-       .unit = "1/s",
+       .unit = "weights a second",
        .tolerance = 0.05 * rate,
        .wrong =
            {{0,
              R"(The bob is calm, but λ is not: each rod corrects the other's correction, and the warm start adds
                            it all up.)"},
             {rate / rigid.sweeps, "That is what one sweep of each step adds."},
-            {2 * rate, "So grows the difference of the two pulls; each rod pulls with half of it."}},
+            {2 * rate, "That is how fast the difference of the two pulls grows; each rod pulls with half of it."}},
        .hints = {"The bob stays where it is. What does a sweep add to each λ?",
                  "A sweep adds mβΔ/h to one λ and takes it from the other; there are k sweeps a step.",
                  "The pull is λ/h and the weight mg, with 1/h steps a second: kβΔ/(gh³)"},
@@ -169,8 +169,10 @@ void wrong_rows(const Setting& setting, Page& page) {
              (map.y.values[i / columns] > softness_that_bounds(map.x.values[i % columns]));
   }
   if (runs > 0)
-    page.text("Of the @ runs in which λ has stopped growing or a rod has broken, the law predicts @.", runs,
-              right);
+    page.text(right == runs
+                  ? say("The law predicts all @ runs in which λ has stopped growing or a rod has broken.", runs)
+                  : say("The law predicts @ of the @ runs in which λ has stopped growing or a rod has broken.",
+                        right, runs));
 
   const Film<PlaneParticle> circles = rounds();
   page.text(
@@ -193,8 +195,8 @@ void wrong_rows(const Setting& setting, Page& page) {
   page.sequence(
       "stale_rows",
       say(R"(A particle that starts at @ m/s on a soft rod, without gravity or friction. After @ s its speed is @ m/s
-                    with a stale J and @ m/s with a fresh one, which loses @ m/s in the first steps, until the soft rod has its
-                    stretch, and nothing later.)",
+                    with a stale J and @ m/s with a fresh one, which loses @ m/s until the soft rod has reached its steady
+                    stretch.)",
           circle_speed, circles.seconds(), Value(circles.last(0), 3), Value(circles.last(1), 3),
           Value(circle_speed - circles.last(1), 1)),
       Seconds{circles.seconds()}, circles.drawing());

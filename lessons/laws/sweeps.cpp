@@ -100,7 +100,7 @@ Law jacobi_overshoots() {
           Family::overshooting_correction,
           "relaxation of Jacobi",
           "rows that correct the same error at the same time overcorrect it",
-          "relaxation ω < 2/μ, μ the largest eigenvalue of D⁻¹A",
+          "relaxation w < 2/μ, μ the largest eigenvalue of D⁻¹A",
           {}};
   for (const int contacts : {2, 3, 4, 6, 8, 12})
     law.boundaries.push_back(

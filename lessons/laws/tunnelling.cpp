@@ -6,13 +6,13 @@
 #include "solver/step.hpp"
 
 // Law 16. Contacts are looked for once a step, here without the lookahead |v| h of a scene's margin. A ball of
-// radius r is turned back by a wall of thickness w if it is seen before its centre has passed the middle of the
-// wall, beyond which the nearest way out is through: from `margin` before they touch. That way is r + margin + w/2
+// radius r is turned back by a wall of thickness d if it is seen before its centre has passed the middle of the
+// wall, beyond which the nearest way out is through: from `margin` before they touch. That way is r + margin + d/2
 // long. Safe is what goes no further in a step,
 //
-//   v h <= r + margin + w/2,
+//   v h <= r + margin + d/2,
 //
-// and of what goes further the share 1 - (r + margin + w/2)/(v h) is not seen, whatever the solver.
+// and of what goes further the share 1 - (r + margin + d/2)/(v h) is not seen, whatever the solver.
 namespace byhand::laws {
 namespace {
 
@@ -45,7 +45,7 @@ Law tunnelling() {
           Family::too_large_a_step,
           "tunnelling",
           "a body that moves farther in one step than a contact can be found may pass through a wall",
-          "v h < r + margin + w/2",
+          "v h < r + margin + d/2",
           {}};
   for (const FlyingBalls& balls :
        {FlyingBalls{}, {.wall = 0.02}, {.wall = 1}, {.margin = 0.2}, {.step = 1.0 / 240}}) {
