@@ -114,7 +114,7 @@ void accuracy_as_the_input(Page& page) {
     for (std::size_t i = 0; i < method.errors.size(); ++i)
       most = std::max(most, method.errors[i] / (method.tolerances[i] * span));
     page.claim("largest error over tolerance × time, " + method.name, most, "1",
-               is_at_most(10, "what the scene makes of a disturbance comes on top"));
+               is_at_most(10, "the scene's own amplification of a disturbance is extra"));
   }
 
   const double tolerance = 1e-3;

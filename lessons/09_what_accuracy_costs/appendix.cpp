@@ -61,8 +61,8 @@ const std::vector<Chapter>& chapters() {
 /// Where the course displays each equation of the article for the first time.
 void equations(Page& page) {
   page.text(
-      R"(The course was built from one article, R. Gaul, *Modelling and Solving Physical Constraints*, 2013. This is
-      where it first displays each of the article's equations:)");
+      R"(The course was built from one article, R. Gaul, *Modelling and Solving Physical Constraints*, 2013. The
+      table says where it first shows each of the article's equations:)");
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < equation_places.size(); ++i) {
     const EquationPlace& place = equation_places[i];

@@ -257,7 +257,8 @@ std::string caption_of(const Survey& survey, Error error, int starts, bool expla
   return caption +
          course::say(
              R"( Each curve is the best found for a method: the error not exceeded from @ of @ initial conditions, none
-             used for tuning. At its ends: substeps per frame × sweeps or iterations in each; without a number, one.
+             used for tuning. At its ends: substeps per frame × sweeps, iterations or digits of
+             the tolerance in each; without a number, one.
              All runs are in the data.)",
              kept, starts);
 }

@@ -11,7 +11,8 @@ int main(int argc, char** argv) {
   std::vector<std::string> scenes;
   for (const NamedScene& scene : catalogue()) scenes.push_back(scene.name);
   const accuracy::Setting setting{
-      .scene = lesson.parameter("scene", "chain", scenes, "scene for which a method is chosen"),
+      .scene = lesson.parameter("scene", "chain", scenes,
+                                "scene of step 7, to which all of these belong but `appendix`"),
       .drift =
           lesson.parameter("drift", 0.0, "m", {0, 0.1},
                            "largest separation or overlap allowed; 0: any, or 1 mm if nothing else is asked for"),
@@ -36,7 +37,7 @@ int main(int argc, char** argv) {
 
   lesson.step("The methods that compete", the_methods);
   lesson.deeper("The other methods", other_methods);
-  lesson.step("Order is the slope", order_is_the_slope);
+  lesson.step("Reading the order off a chart", order_is_the_slope);
   lesson.step("Stable is not accurate", stable_is_not_accurate);
   lesson.deeper("The longest stable step", stability);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);
@@ -61,8 +62,8 @@ int main(int argc, char** argv) {
             R"(For the same row-solves, many short steps are more accurate than one step solved well; but each writes
             its rows anew, and that must be counted.)",
             "A run that falls or comes apart is cheap. It must stand or hold before its errors count.",
-            R"(A few bodies: one sweep a step is cheapest to 1 %; for less, generalised coordinates, or RK4 where they
-            close a loop. Long or heavily loaded chains and columns: solve directly, or use
+            R"(A few bodies: to 1 %, one sweep a step is usually cheapest. For a trajectory to 0.01 %, RK4: in
+            generalised coordinates, or on the accelerations where the bodies close a loop. Long or heavily loaded chains and columns: solve directly, or use
             joint coordinates. Contacts with loops (pyramids): sweeps.)",
             "A model with more numbers than a scene needs gives the same motion for more bytes and more time."},
        .tries = {{"The heavy chain: what is cheapest for a millimetre?",

@@ -72,7 +72,9 @@ void order_is_the_slope(Page& page) {
   };
   for (const auto& [one, two, reply] :
        {Halved{2, 2, "RATTLE is of order 2, so it gains 2²."},
-        Halved{2, 4, "Orders 1 and 2: the slopes on the chart."},
+        Halved{2, 4,
+               "Orders 1 and 2: on the chart, ten times the work moves a point one decade to the left, or two. "
+               "The flatter the curve, the higher the order."},
         Halved{4, 4, "Symplectic Euler is of order 1 in place, so it gains 2¹."}}) {
     if (nearest(first) == one && nearest(second) == two)
       question.answer = static_cast<int>(question.options.size());

@@ -177,7 +177,7 @@ std::string in_prose(std::string name) {
   return name;
 }
 
-std::string margin_in_words(const byhand::Choice& choice, const Problem& problem) {
+std::string margin_in_words(const byhand::Choice& choice, const Problem& problem, bool limited) {
   const std::string &stress = problem.scene().stress, name = in_prose(stress);
   if (std::isnan(choice.margin)) return "";
   if (std::isinf(choice.margin))
@@ -185,11 +185,12 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
   const auto& all = problem.scene().parameters;
   const std::string unit =
       std::find_if(all.begin(), all.end(), [&](const SceneParameter& one) { return one.name == stress; })->unit;
-  return say("It fails once the @ reaches @@, @.", name, Value(choice.margin * problem[stress], 3),
+  return say("It stops meeting @ once the @ reaches @@, @.", limited ? "your limits" : "twice this drift", name,
+             Value(choice.margin * problem[stress], 3),
              unit == "1"   ? ""
              : unit == "°" ? unit
                            : " " + unit,
-             choice.margin < 1.1 ? say("@ % more than it is", Value(100 * (choice.margin - 1), 1))
+             choice.margin < 1.1 ? say("@ % above its present value", Value(100 * (choice.margin - 1), 1))
                                  : say("@ times the present value", Value(choice.margin, 2)));
 }
 
@@ -369,7 +370,7 @@ void recommendation(Page& page, const Setting& setting) {
   if (choice.reached) {
     page.text("**Answer:** @: @@. @", best.described(), cost_in_words(best),
               by_clock ? say(", @ µs by the clock", Value(nanoseconds / 1000, 3)) : "",
-              margin_in_words(choice, problem));
+              margin_in_words(choice, problem, !limits.empty()));
     page.text("**Why:** @.", why(choice, limits));
     show_errors(page, best, problem, !limits.empty());
     page.text(certainty(choice, limits));
@@ -381,10 +382,11 @@ void recommendation(Page& page, const Setting& setting) {
         page.text("**@:** @", asked,
                   tighter && tighter->knobs == best.knobs && tighter->family == best.family
                       ? std::string("the same run.")
-                  : tighter ? say("@, for @ (×@), from as many starts.", tighter->described(),
-                                  cost_in_words(*tighter), Value(tighter->cost / best.cost, 2))
-                            : std::string("no method was found to keep that from as many starts for up to a "
-                                          "hundred times the cost."));
+                  : tighter
+                      ? say("@, for @ (×@), from as many starts.", tighter->described(), cost_in_words(*tighter),
+                            Value(tighter->cost / best.cost, tighter->cost < 2 * best.cost ? 3 : 2))
+                      : std::string("no method was found to keep that from as many starts for up to a "
+                                    "hundred times the cost."));
     page.code("The answer for your own program", code_of(best.family->setting(best.knobs)));
   } else if (by_clock && !finishes_a_frame(problem, wish)) {
     page.text("**No method finishes a frame within @ µs**, so no run could be made. Allow more time.",
@@ -398,7 +400,8 @@ void recommendation(Page& page, const Setting& setting) {
                                               : " No run held to the end.");
   }
   if (const std::string out = passed(choice); !out.empty())
-    page.text("Methods that cannot do this scene:\n" + out);
+    page.text(problem.scene().duty == Duty::hold ? "Methods that cannot do this scene:\n" + out
+                                                 : say("Left out: @.", without_contacts()));
 
   if (choice.reached) {
     const std::string caption =

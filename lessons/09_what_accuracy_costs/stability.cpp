@@ -65,16 +65,16 @@ void stability(Page& page) {
            R"(Sideways the bobs are springs with frequencies ω. The direct solve is stable for ωh < 2 (lesson 8), RK4
               for ωh < 2√2. Each at its longest stable step: how many times the work does RK4 take, with four slopes a
               step?)",
-       .answer = dearer,
+       .answer = 2 * std::sqrt(2.0),
        .unit = "1",
        .tolerance = 0.05,
        .wrong = {{4, "That is what a step costs. But RK4 takes fewer steps."},
                  {std::sqrt(2.0), "That is how much longer its step is. Each takes four slopes."}},
        .hints = {"How many times as long may its step be?", "2√2/2 = √2 times as long, with four slopes.",
                  "4/√2 = …"},
-       .hinted = 2 * std::sqrt(2.0),
-       .right = say("4/√2: with an end of @ kg its step is @ instead of @, with four slopes in it.",
-                    masses[middle], in_ms(rk4.eigenvalues[middle]), in_ms(direct.eigenvalues[middle]))});
+       .right = say("4/√2 (measured: @): with an end of @ kg its step is @ instead of @, with four slopes in it.",
+                    Value(dearer, 4), masses[middle], in_ms(rk4.eigenvalues[middle]),
+                    in_ms(direct.eigenvalues[middle]))});
   page.text(
       R"(Below, by eigenvalues: where the spectral radius of a step passes 1. By runs: the longest step with which a
       small disturbance stays below a thousand times its size for a thousand steps.)");

@@ -36,11 +36,14 @@ struct Swing {
 /// The energy of all of them over the whole film.
 renderer::Chart energies(std::vector<Swing> swings, double start) {
   renderer::Chart chart{.x = {.label = "time (s)", .range = {{0, film_seconds}}},
-                        .y = {.label = "energy, change over mgL", .range = {{-1, 0.15}}}};
+                        .y = {.label = "energy, change over mgL"}};
+  double least = 0;
   for (Swing& swing : swings) {
     swing.go_on(film_seconds, start);
+    least = std::min(least, *std::min_element(swing.energy.y.begin(), swing.energy.y.end()));
     chart.curves.push_back(swing.energy);
   }
+  chart.y.range = {{1.1 * least, 0.15}};
   return chart;
 }
 
@@ -94,7 +97,7 @@ void stable_is_not_accurate(Page& page) {
             {"about half of it is lost", say("More: @ % is left.", Value(left, 2))},
             {"most of it is lost",
              say(R"(@ % is left. The velocity of a step is the chord just covered, which points out of the circle.
-                 The next projection takes the outward part away, and with it about (ωh)² of the speed.)",
+                 The next projection takes the outward part away, and with it about (ωh)² of the speed, where ω is the bob's angular velocity.)",
                  Value(left, 2))}},
        .answer = left > 90   ? 0
                  : left > 40 ? 1

@@ -15,7 +15,15 @@ static_assert(starts % starts_at_once == 0);
 }  // namespace
 
 std::string description(const Problem& problem) {
-  return problem.scene().title + ": " + described_parameters(problem);
+  std::string text;
+  for (const SceneParameter& parameter : problem.scene().parameters) {
+    if (parameter.name == "gravity") continue;
+    text += course::say("@@ = @@", text.empty() ? ": " : ", ", parameter.name, problem[parameter.name],
+                        parameter.unit == "1"   ? ""
+                        : parameter.unit == "°" ? parameter.unit
+                                                : " " + parameter.unit);
+  }
+  return problem.scene().title + text;
 }
 
 std::vector<byhand::Point> Survey::points() const {
@@ -91,6 +99,14 @@ std::vector<byhand::Point> refined(const Problem& problem, std::string_view fami
   return points;
 }
 
+std::string without_contacts() {
+  int count = 0;
+  const AnyScene stack = Problem("stack").start();
+  for (const Family& family : families())
+    count += !stack.refusal(family.setting(with_cure({}, family.cures.front())).method).empty();
+  return course::say("the @ methods without contacts (step 1a)", count);
+}
+
 std::string failures(const Survey& survey) {
   std::string text, always;                                   // who failed at times, and who never
   std::vector<std::pair<std::string, std::string>> refusals;  // why, and who
@@ -128,6 +144,8 @@ std::string failures(const Survey& survey) {
   }
   if (!always.empty())
     text += fmt::format("\n- {}: all runs {}", always, name_of(Outcome::good, survey.problem.scene().duty));
+  if (survey.problem.scene().duty != Duty::hold && !refusals.empty())
+    return text + "\n- left out: " + without_contacts();
   for (const auto& [why, who] : refusals) text += fmt::format("\n- {}: {}", who, why);
   return text;
 }

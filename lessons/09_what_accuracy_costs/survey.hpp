@@ -43,6 +43,9 @@ bool kept(const course::Page& page, const Survey& survey, const byhand::Point& p
 std::optional<byhand::Point> best(const course::Page& page, const Survey& survey, const Family& family,
                                   Error error, double at_most);
 
+/// "the 7 methods without contacts (step 1a)".
+std::string without_contacts();
+
 /// "chain: links = 50, end_mass = 100 kg, …".
 std::string description(const Problem& problem);
 /// The same for a chart, where _ would lower a letter: with spaces.

@@ -20,9 +20,10 @@ const std::vector<Recipe> recipes{
      R"(corrects *positions*. It lets the bodies move freely, moves them back until the constraints hold, and takes the
      velocities from the distances covered.)",
      {"Move freely: v ← v₀ + hg, x ← x₀ + hv.", "Start every Λ at 0.",
-      "For each constraint, at its present C: ΔΛ = −(C + γΛ)/(JM⁻¹Jᵀ + γ), γ = 1/(kh²) of a spring k, 0 if hard.",
+      "For each constraint, at its present C: ΔΛ = −(C + γΛ)/(JM⁻¹Jᵀ + γ), γ = 1/(kh²) for a spring of stiffness "
+      "k, 0 for a hard constraint.",
       "Correct at once: x ← x + M⁻¹Jᵀ ΔΛ.", "Read the velocity: v ← (x − x₀)/h."},
-     "substeps, with one pass over the constraints in each",
+     "substeps, and the passes (iterations) in each; its authors advise one",
      R"(It holds rods, joints and contacts; joints are stable at every step.)"},
     {"AVBD",
      "augmented vertex block descent, C. Giles and others, 2025",
@@ -81,8 +82,12 @@ const std::vector<Recipe> recipes{
      place and that number, so C = 0 by construction.)",
      {"A joint lets a body move with V = XV_p + Sq̇: X carries its parent's motion over, S adds that of its own "
       "numbers q.",
-      "From the free ends inwards: A and p of a body with all below it, so that its joint's force is f = AV̇ + p.",
-      "The joint does no work along S: Sᵀf = 0 gives q̈, and ĀXV̇_p + p̄ is the force on its parent.",
+      "From the free ends inwards, each body with all that hangs on it gets an articulated inertia A and a bias "
+      "force p: "
+      "the force through its joint is f = AV̇ + p.",
+      "The joint does no work along S: Sᵀf = 0 gives q̈. What is left, f = ĀXV̇_p + p̄, is passed on: the parent "
+      "adds "
+      "XᵀĀX to its A and Xᵀp̄ to its p.",
       "From the root outwards: V̇ and q̈ of each joint.",
       "Integrate q̇ and q̈ by any rule: semi-implicit Euler, as robotics engines do, or RK4."},
      "substeps",
@@ -96,8 +101,8 @@ const std::vector<Recipe> recipes{
      {"One sweep: g = (λ after it) − (λ before it).", "s = |g|²/|g of the sweep before|², but 0 if g has grown.",
       "λ ← λ + s d, and V with it.", "d ← g + s d", "Repeat, and end with a sweep, so that λ keeps its bounds."},
      "sweeps",
-     R"(It does all that Gauss–Seidel does, contacts too. A slow error takes about the square root of the sweeps that
-     it takes otherwise. With bounds there is no proof, and on some stacks no gain.)"},
+     R"(It does all that Gauss–Seidel does, contacts too. An error that decays slowly needs only about the square
+     root of the sweeps it would need otherwise. With bounds there is no proof, and on some stacks no gain.)"},
     {"Accelerated gradient",
      "H. Mazhar and others, 2015, after Y. Nesterov, 1983",
      R"(moves all λ at once down the gradient JV + b + γλ, clamps them to their bounds, and goes on with momentum.)",

@@ -28,10 +28,10 @@ void what_the_step_hides(Page& page) {
                   sweeps a step reduce that?)",
                one.knobs.passes, Value(one[Error::trajectory], 2), problem.scene().time, many.knobs.passes),
        .options =
-           {{"1", say(R"(@: this is the error of the step. The direct solve of the same steps is @ m off. Change h,
+           {{"1 (not at all)",
+             say(R"(@: this is the error of the step. The direct solve of the same steps is @ m off. Change h,
                         not the sweeps.)",
-                      divided < 1 ? "Not at all, it even grows a little" : "Hardly at all",
-                      Value(exact[Error::trajectory], 4))},
+                 divided < 1 ? "It even grows a little" : "Hardly at all", Value(exact[Error::trajectory], 4))},
             {"100", "The error of the solver falls so. But most of this is the error of the step."},
             {"10 000", "The rows are solved to rounding then. But the step is as long as before."}},
        .answer = divided < 10     ? 0
