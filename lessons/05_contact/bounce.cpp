@@ -227,8 +227,8 @@ void bounce(const Setting& setting, Page& page) {
       Value(*std::max_element(own.begin(), own.end()), 6), Value(gravity * h * h / 8, 2),
       Value(drop + gravity * h * h / 8, 6), setting.restitution);
   page.figure("peaks",
-              say(R"(Peaks after each bounce, e = @, dropped from @ m. Dashed: e²ⁿ of that. The solver's ball
-                  comes to rest once it meets the ground at @ m/s or less; a flight shorter than a step has no peak.)",
+              say(R"(Peaks after each bounce, e = @, from @ m. Dashed: e²ⁿ of that. The solver's ball rests once it
+            meets the ground at @ m/s or less; a flight within a step has no peak.)",
                   setting.restitution, setting.drop, bounce_threshold),
               peaks_over_bounces(setting));
 

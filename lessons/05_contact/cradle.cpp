@@ -123,11 +123,11 @@ void cradle(const Setting& setting, Page& page) {
           n),
       bars);
   page.text(
-      R"(Momentum is right in all four; energy only where all are solved at once and where one collision follows the other.
-      Real balls do nearly the latter. (Nearly, because touching balls are springs:
-      their stiffness decides how much the collisions overlap in time, and the other balls recoil a little.) One sweep
-      from the first contact gives another result (@ of the energy is left), and one from the last yet another (@). More
-      sweeps do not approach real balls either. They approach the first result, in which every row is satisfied.)",
+      R"(Momentum is right in all four; energy only where all are solved at once and where one collision follows the
+      other. Real balls do nearly the latter. (Touching balls are springs, so the collisions overlap in time and the
+      other balls recoil a little.) One sweep from the first contact gives another result (@ of the energy is left),
+      and one from the last yet another (@). More sweeps do not approach real balls either. They approach the first
+      result, in which every row is satisfied.)",
       Value(sum(one_forward, 2), 2), Value(sum(one_backward, 2), 2));
   page.derivation(
       "All contacts at once",

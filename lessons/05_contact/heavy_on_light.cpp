@@ -196,10 +196,10 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const std::string cold_end = page.verdict(
       {{.when = in_ground < 1e-6, .say = "Here that is too little to be seen."},
        {.when = in_ground < 0.95,
-        .say =
-            say(R"(It sinks until the correction of this overlap makes up for what the sweeps leave, as in the soft
-            chain of lesson 3: it is @ mm deep after @ s.)",
-                Value(1000 * cold.in_ground, 3), settling),
+        .say = say(
+            R"(It sinks until the correction of this overlap makes up for that, as in the soft chain of lesson 3: @ mm
+            deep after @ s.)",
+            Value(1000 * cold.in_ground, 3), settling),
         .law = flush},
        {.when = in_ground >= 0.95,
         .say = "Here the lower box is pushed under altogether, and the upper one stands in its place.",
@@ -222,7 +222,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
                           : say("even at a ratio of @", heaviest),
       warm_end);
   page.figure("over_ratio",
-              say(R"(How far the upper box is from its place, at most, in the eighth second; @ a step. Dashed: from
+              say(R"(The upper box's largest distance from its place in the eighth second; @ a step. Dashed: from
           the matrices of Gauss–Seidel.)",
                   several(sweeps, "sweep")),
               over_ratio(setting, limit));

@@ -35,8 +35,8 @@ int main(int argc, char** argv) {
       {.now_you_know =
            {R"(A contact is an inequality: JV + b ≥ 0, λ ≥ 0, one of them zero; the sum of all changes of λ is
             clamped.)",
-            R"(A box that overlaps the ground by d leaves it at βd/h, and rises above it for d > (1 − β/2)·2gh²/β²; split
-            impulse forgets this velocity.)",
+            R"(A box that overlaps the ground by d leaves it at βd/h, and rises above it beyond about (1 −
+            β/2)·2gh²/β²; split impulse forgets this velocity.)",
             "Friction is (16) within μ times the normal's λ; each row computes JV anew.",
             "A block sticks while tanθ ≤ μ; beyond, it slides by ½at(t + h).",
             "A bounce is b = e JV⁻, with JV⁻ where the fall meets the ground; reversed on overlap it gains h·v "

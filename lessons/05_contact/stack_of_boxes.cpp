@@ -185,9 +185,9 @@ std::string if_all_is_corrected(Page& page, int boxes, int sweeps, const course:
       corrected("β", beta), rods("lesson 4's limit", limit);
   const std::string beside = say("lesson 4's limit for warm starts, @ here", Value(limit, 2)),
                     swings =
-                        begins + say("it does not come to rest: in the tenth second the lowest contact carries "
-                                     "from @ to @ boxes. β is ",
-                                     Value(without_rounding(least, boxes), 3), Value(most, 3));
+                        begins +
+                        say("it still swings in the tenth second: the lowest contact carries @ to @ boxes. β is ",
+                            Value(without_rounding(least, boxes), 3), Value(most, 3));
   return page.verdict(
       {{.when = where(swing < 0.02, corrected < rods),
         .say = begins + "it comes to rest too: β is below " + beside + "."},
@@ -355,7 +355,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   page.text("(To keep corrections out of this, overlaps below @ cm are left alone. @)", 100 * left_alone.slop,
             if_all_is_corrected(page, n, sweeps, setting.beta, h));
   page.text(
-      R"(Now kick it sideways: @ m/s at the top, and less below, in proportion to the height. We call it down when its
+      R"(Now kick it sideways: @ m/s at the top, less below in proportion to the height. It is down when its
       top box has dropped by half a box.)",
       0.02);
   std::vector<NamedPile> runs{{several(sweeps, "sweep"), column(n, sweeping(sweeps, true))},
@@ -367,8 +367,8 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   const std::vector<double> fell = each(ends, [](const End& end) { return end.fell; });
   page.sequence(
       "stack",
-      say(R"(@ boxes after a kick, with @ and with @ warm sweeps a step, and solved directly; the first @ s, @
-                    times as fast. Right: how far the top box is from where it stood, until it has fallen (dips: it passes that place).)",
+      say(R"(@ boxes after a kick, with @ and @ warm sweeps a step and solved directly; the first @ s, @ times as
+            fast. Right: how far the top box is off, until it has fallen (dips: it passes its place).)",
           n, sweeps, 2 * sweeps, hurry * stack_seconds, hurry),
       Seconds{stack_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
         for (NamedPile& run : runs)
@@ -456,8 +456,8 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                        fate(fell_corrected))}}));
   page.figure(
       "sweeps_needed",
-      say(R"(How many warm sweeps a step a kicked stack needs to stand for @ s, h = @ s, if its overlaps are left
-          uncorrected and if those beyond 1 mm are corrected, β = @ (no point: more than @). Dashed: the law; a run takes whole sweeps.)",
+      say(R"(Warm sweeps a step with which a kicked stack stands for @ s, h = @ s: overlaps left uncorrected, or
+            corrected beyond 1 mm, β = @ (no point: more than @). Dashed: the law; a run takes whole sweeps.)",
           patience, setting.h, setting.beta, most_tried),
       needed(h, beyond_a_millimetre));
   page.text(

@@ -59,8 +59,8 @@ void wall_of_boxes(const Setting& setting, Page& page) {
       - *separating axes*: along each of the four axes (two per box), how far apart are the boxes, or (negative) how
         deep do they overlap? The largest of these numbers is C, and its normal is n
         (`solver/contact/boxes_in_plane.cpp`);
-      - *clipping*: n belongs to a face of one of the boxes; the facing side of the other is cut off at the ends of that
-        face, and what is left ends in the points P, each with its own C;
+      - *clipping*: n belongs to a face of one box; the facing side of the other is cut off at that face's ends, and
+        what is left ends in the points P, each with its own C;
       - *feature ids*: each point records the two corners that made it. In the next step the same pair is the same
         contact and gets its λ back. Lose the ids, and every start is cold, whatever the solver's settings say.)");
 
