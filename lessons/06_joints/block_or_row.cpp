@@ -230,9 +230,7 @@ void block_or_row(const Setting& setting, Page& page) {
   page.figure(
       "two_rows",
       R"(One step from rest at 45°, in the plane of the pin's two impulses. On each dashed line one row has JV = 0;
-      where
-              they cross, both do. Row by row λ moves from one line to the other and back; where the lines are close
-              these moves are short.)",
+      where they cross, both do. Row by row λ moves from line to line; where these are close the moves are short.)",
       [slender, same = side == length, plump = way_of_sweeps(setting, length),
        small = way_of_sweeps(setting, side)](Canvas& canvas) {
         const Rectangle paper = canvas.page();

@@ -128,7 +128,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   const double h = setting.h(), strength = setting.strength();
   page.text(
       R"(A stop and a motor share one row, the turn's J = [0 −1 0 1], and for both the solver clamps the sum of λ to an
-      interval, as for a contact (lesson 5, step 1). They differ in this interval and in the speed they ask for (b is a
+      interval, as for a contact (lesson 5, step 1). They differ in the interval and the speed they ask for (b is a
       contact's: C/h before the stop, (β/h)C beyond it):)");
   page.formula("stop:  JV + b ≥ 0,  λ ≥ 0        motor:  JV = s,  |λ| ≤ τh",
                R"(\text{stop: } JV + b \ge 0,\ \lambda \ge 0 \qquad

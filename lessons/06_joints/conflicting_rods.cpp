@@ -113,8 +113,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
   page.text(
       R"(
       - sweeps, started cold: the first row takes everything (@ and @ N·s), and the second finds no error left;
-      - sweeps, started warm from pulls of @ and @ N·s: the first row adds the weight to its own (@ and @ N·s), and the
-        two go on pulling against each other, because no row measures that;
+      - sweeps, started warm from pulls of @ and @ N·s: the first row adds the weight to its own (@ and @ N·s), and
+        the two still pull against each other: no row measures that;
       - directly with a regularisation: half each, @ N·s, the solution with the smallest λ.)",
       -lambda(first, 0), without_rounding(-lambda(first, 1), weight * h), -m, m, -lambda(biased, 0),
       -lambda(biased, 1), Value(-sum(shared) / 2, 5));

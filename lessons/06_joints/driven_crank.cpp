@@ -185,10 +185,8 @@ void driven_crank(const Setting& setting, Page& page) {
   const Condition calm = both(Quantity("ωh", turn) <= 0.15, Quantity("l/r", l / r) >= 1.5);
   const Quantity off("off/r", run.position_off / r);
   page.text(
-      R"((The first steps of the torque are not drawn: the run starts without drift, and the torque jumps until the
-      drift
-      has built up.) Up to rounding the crank keeps its target speed: a motor with enough strength is a row like any
-      other. @)",
+      R"((The first steps of the torque are not drawn: it jumps until the drift has built up.) Up to rounding the
+      crank keeps its target speed: a motor with enough strength is a row like any other. @)",
       page.verdict(
           {{.when = both(calm, off < 0.1),
             .say = say(

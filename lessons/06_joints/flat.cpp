@@ -147,8 +147,8 @@ void flat(const Setting& setting, Page& page) {
   const FourBar third{four_bar(bars_of(setting, radians(60), 3)), exactly()};
 
   page.text(
-      R"(Hang a third arm between the two of the last step, parallel to them and as long: one more body, two more pins,
-      so @ velocities and @ rows.)",
+      R"(Hang a third, equal arm between the two, parallel to them: with one more body and two more pins, @ velocities
+      and @ rows.)",
       static_cast<int>(three.cols()), rows_of_three);
   page.choose(
       {.ask = "Count again. Does it still move?",

@@ -33,10 +33,10 @@ void hanging_bridge(const Setting& setting, Page& page) {
   const Bridge bridge_now = at_rest(setting);
   const double plank = setting.mass * gravity, weight = planks * plank, pull = -force(bridge_now, 0).x();
   page.text(
-      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve takes
-      at once. Statics says two things about the state of rest. Vertically, each anchor carries half the weight; the
-      horizontal part of the pull, H, is the same in every pin, because no other force is horizontal. So a
-      plank's slope is the weight between its middle and the lowest point of the bridge, over H:)",
+      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve
+      takes at once. At rest each anchor carries half the weight, and the horizontal part of the pull, H, is the same
+      in every pin, because no other force is horizontal. So a plank's slope is the weight between its middle and the
+      lowest point of the bridge, over H:)",
       planks, setting.length, setting.mass, 2 * (planks + 1));
   page.formula(
       "tan θᵢ = (i − (n + 1)/2) w/H,   w = @ N, H = @ N",

@@ -142,9 +142,9 @@ void rows_to_joints(const Setting& setting, Page& page) {
       step shows what that costs.)",
       Value(pin_A(0, 1), 3));
   page.text(
-      R"(The other joints need no new rows, only *bounds* on λ, as for a contact. The turn's row [0 −1 0 1] with 0 ≤ λ is a
-      **stop**: it pushes back at the end of the range and never pulls. With a speed as its target and |λ| ≤ τh it is a
-      **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a **rope**. All of them at work:)");
+      R"(The other joints need no new rows, only *bounds* on λ, as for a contact. The turn's row [0 −1 0 1] with 0 ≤ λ
+      is a **stop**: it pushes back at the end of the range and never pulls. With a speed as its target and |λ| ≤ τh
+      it is a **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a **rope**.)");
   page.sequence(
       "six_joints",
       say(R"(The motions that joints leave free: three equations, then three bounds. The stop is at @°, the motor turns
