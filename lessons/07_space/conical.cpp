@@ -91,18 +91,15 @@ void conical(const Setting& setting, Page& page) {
        .hints = {"The bob stays at its height. Which part of the pull carries the weight?", "T·cosθ = mg",
                  say("T/mg = 1/cos @°", setting.angle)},
        .hinted = 1 / std::cos(angle),
-       .right =
-           say("1/cosθ = @; with steps of @ s the run gives @@.", law, setting.h, found,
-               found != law && stretch > 0
-                   ? say(": the steps along the tangent leave the rod @ % too long (lesson 4), so the bob leaves "
-                         "its cone and nods between @° and @°",
-                         Value(100 * stretch, 2), Value(degrees(turn.least), 4), Value(degrees(turn.most), 4))
-                   : "")});
+       .right = say("1/cosθ = @; with steps of @ s the run gives @@.", law, setting.h, found,
+                    found != law && stretch > 0
+                        ? say(": its rod is @ % too long (lesson 4), so the bob nods between @° and @°",
+                              Value(100 * stretch, 2), Value(degrees(turn.least), 4), Value(degrees(turn.most), 4))
+                        : "")});
   page.figure(
       "tension_over_angle",
-      R"(The pull of the rod over the angle of the cone: λ/h, mean of the third turn. The lower dashed line is the
-              part of the weight along the rod, which is not the pull. (Dots below the curve: there the steps
-              leave the rod too long.))",
+      R"(The rod's pull, λ/h, over the angle of the cone, mean of the third turn; below the curve where steps leave
+      the rod too long. Lower dashed line: the weight's part along the rod, which is not the pull.)",
       over_angle(setting));
   page.formula("T·cosθ = mg,   T·sinθ = mω²L·sinθ   ⟹   T = mg/cosθ = @ N,   ω² = g/(L·cosθ)",
                R"(T\cos\theta = mg, \quad T\sin\theta = m\omega^2 L\sin\theta \quad\Rightarrow\quad )"
@@ -110,8 +107,8 @@ void conical(const Setting& setting, Page& page) {
                exact.tension(setting.mass));
   page.figure(
       "cone",
-      say(R"(θ = @°. The forces on the bob in this run (orange) and its velocity (green). The pull of the rod carries the
-          weight and keeps the bob on its circle.)",
+      say(R"(θ = @°. The forces on the bob in this run (orange) and its velocity (green). The rod's pull carries the
+            weight and keeps the bob on its circle.)",
           setting.angle),
       [=](Canvas& canvas) { draw_cone(canvas, angle, measured); });
   page.measure("tension over weight", measured, "1");

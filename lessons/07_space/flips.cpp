@@ -137,11 +137,10 @@ void flips(const Setting& setting, Page& page) {
   const double first_flip = turning.empty() ? INFINITY : turning.front();
 
   page.text(
-      R"(A real book turns over, again and again; try it, with a rubber band round it. A spin about the
-      intermediate axis is unstable (the *tennis-racket theorem*): the small part about the other axes grows until
-      the book flips; then it spins steadily for a while, and
-      flips back. Euler's equations have an exact solution in elliptic functions; according to it this book flips every @ s, half
-      a period.)",
+      R"(A real book turns over, again and again; try it, with a rubber band round it. A spin about the intermediate
+      axis is unstable (the *tennis-racket theorem*): the small part about the other axes grows until the book flips;
+      then it spins steadily for a while, and flips back. By the exact solution of Euler's equations, in elliptic
+      functions, this book flips every @ s, half a period.)",
       half_period);
   page.text(
       R"(So a step has to add the term. There are two ways. *Explicit*: from the spin at the start of the step. In the
@@ -155,9 +154,8 @@ void flips(const Setting& setting, Page& page) {
   page.excerpt("lessons/07_space/flips.cpp", "implicit");
   page.sequence(
       "three_books",
-      say(R"(The same book thrown without the term, with the explicit term and with the implicit one. The yellow end shows
-          which way up it is; the arrow is Iω, which should not move. Below: the spin about the book's own y; dashed, the
-          exact one.@)",
+      say(R"(The book thrown without the term, with the explicit and with the implicit one. The yellow end shows which
+            way up it is; the arrow, Iω, should not move. Below: the spin about the book's own y; dashed: exact.@)",
           first_flip < flip_seconds
               ? ""
               : " The film ends before the first flip: a faster spin or a larger wobble brings it sooner."),

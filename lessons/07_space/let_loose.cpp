@@ -149,10 +149,9 @@ double off_its_place(const RowSolver& solver, double h) {
 void let_loose(const Setting& setting, Page& page) {
   const Tumble thrown = tumble(setting);
   page.text(
-      R"(So far the contacts were given. Now the solver finds them: in every step it looks for the points where shapes
-      touch, and each point gets a contact and two rows of friction. Throw a book from a height of @ m, at @ m/s
-      forward
-      and @ m/s down, spinning at @ rad/s, μ = @.)",
+      R"(Now the solver finds the contacts: in every step it looks for the points where shapes touch, and each gets a
+      contact and two rows of friction. Throw a book from a height of @ m, at @ m/s forward and @ m/s down, spinning
+      at @ rad/s, μ = @.)",
       thrown_from, setting.speed, fall * setting.speed, Value(thrown_spin().norm(), 2), setting.friction);
   page.sequence(
       "tumbling",
@@ -205,8 +204,8 @@ void let_loose(const Setting& setting, Page& page) {
       with_newton("heavy cube off its place, by Newton's method", newton, "m");
   page.text(
       R"(Boxes also collide with boxes. Take the heavy box on a light one (lesson 5, step 7b) as cubes of @ kg on 1 kg:
-      with @ warm sweeps a step the upper one @. @ (`SemismoothNewton` writes each row and its bound as one equation and
-      solves all of them together. It is for contacts on which sweeps stall.))",
+      with @ warm sweeps a step the upper one @. @ (`SemismoothNewton` makes each row and its bound one
+      equation; it is for contacts on which sweeps stall.))",
       heavy, sweeps,
       swept < 0.5 ? say("is up to @ mm off its place in the eighth second", Value(1000 * swept, 3))
                   : say("has fallen off after @ s", settling),

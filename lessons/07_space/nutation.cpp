@@ -156,10 +156,10 @@ void nutation(const Setting& setting, Page& page) {
                   slopes),
               over_h(setting, exact));
   page.text(
-      R"(The uncorrected drift of lesson 4 only fell with h. Here the error falls with h², for three reasons. β holds the
-      rod's stretch to (ωh)²/2β of its length (lesson 4). Symplectic Euler is the leapfrog, a second-order method, with
-      each velocity half a step early. And at a turning point, where this run starts, half a step of acceleration is at
-      right angles to v: it changes energy and L_y only to second order.)");
+      R"(The uncorrected drift of lesson 4 only fell with h. Here the error falls with h², for three reasons. β holds
+      the rod's stretch to (ωh)²/2β of its length (lesson 4). Symplectic Euler is the leapfrog, a second-order method,
+      with each velocity half a step early. And at a turning point, where this run starts, half a step of acceleration
+      is at right angles to v: it changes energy and L_y only to second order.)");
   page.measure("one nutation", run.period, "s");
   page.measure("precession in it", degrees(run.precession), "deg");
 

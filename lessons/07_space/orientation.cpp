@@ -129,16 +129,14 @@ void orientation(const Setting& setting, Page& page) {
       R"(\exp(\tfrac12\omega h) = \bigl(\cos\tfrac12|\omega|h,\ \sin\tfrac12|\omega|h\ \tfrac{\omega}{|\omega|}\bigr))");
   page.text(
       R"(Many programs use q + ½ωqh instead, with ω as (0, ω): the first two terms of the series, scaled to unit
-      length afterwards. This
-      follows a tangent of the unit sphere, as the bob of lesson 2 followed a tangent of its circle, and turns by
-      2·atan(½ωh) instead of ωh. At @ rad/s, @ rad a step, it is @° behind after a second; without scaling, |q| grows to
-      @.)",
+      length afterwards. This follows a tangent of the unit sphere, as lesson 2's bob did of its circle, and turns by
+      2·atan(½ωh) instead of ωh. At @ rad/s, @ rad a step, it is @° behind after a second; without scaling, |q| grows
+      to @.)",
       setting.spin, Value(turn, 3), Value(degrees(first.lag), 3), Value(first.stretched, 6));
   page.figure(
       "lag",
-      R"(How far q + ½ωqh, normalised, is behind after a second of steady rotation, against the angle of one step
-              (below half a turn). The exponential has only rounding errors. Dashed: the leading term of ωh −
-              2·atan(½ωh), times the number of steps.)",
+      R"(How far q + ½ωqh, normalised, is behind after a second, against the angle of one step (below half a turn).
+      Dashed: the leading term of ωh − 2·atan(½ωh), times the steps.)",
       lag_over_rate(h));
 
   joints_in_space(setting, page);

@@ -107,8 +107,8 @@ void draw_twins(Canvas& canvas, const Twins& twins, double length) {
 void same_code(const Setting& setting, Page& page) {
   const Numbers plane = numbers_of<PlaneBody>(), space = numbers_of<SpaceBody>();
   page.text(
-      R"(So far everything moved in the plane. Here are the row of lesson 1 as the solver writes it, and the product (8)
-      that each sweep needs. Look for a 2 or a 3 that stands for the number of dimensions:)");
+      R"(Here are the row of lesson 1 as the solver writes it, and the product (8) that each sweep needs, in plane and
+      space. Look for a 2 or a 3 that stands for the number of dimensions:)");
   page.excerpt("solver/jacobian.hpp", "along");
   page.excerpt("solver/jacobian.hpp", "8");
   page.text(
@@ -124,8 +124,8 @@ void same_code(const Setting& setting, Page& page) {
               R"(Numbers in a row of J (both bodies) and in a body's pose, velocity and inertia, by model.)",
               how_many());
   page.text(
-      R"(A row has @ numbers instead of @, and the velocity of a body @ instead of @. So a row costs twice as many
-      multiplications in a sweep. Nothing else changes for sweeps and β, because they only see rows.)",
+      R"(A row has @ numbers instead of @, and a body's velocity @ instead of @, so a row costs twice as many
+      multiplications in a sweep. Nothing else changes for sweeps and β: they only see rows.)",
       space.row, plane.row, space.velocity, plane.velocity);
   const double growth = 3 * space.row / (2 * plane.row);
   page.predict(

@@ -149,8 +149,7 @@ void two_axes(const Setting& setting, Page& page) {
           pucks, setting.speed),
       Seconds{std::min(2.5, 1.15 * v / a)}, [film](Canvas& canvas, double time) { film.draw(canvas, time); });
   page.text(
-      R"(Bounding each axis by itself is wrong in two ways. Between the axes friction is too strong, by a factor of
-      up to √2. And v₁
+      R"(Bounding each axis by itself is wrong in two ways. Between the axes friction is too strong, by up to √2. And v₁
       reaches zero after v₁/μg, v₂ after v₂/μg, so the path *bends*.@ For short steps, a puck
       that starts at the angle φ stops in the direction)",
       setting.heading == 45 ? " (Only at 0°, 45° and 90° it does not.)" : "");
@@ -165,15 +164,14 @@ void two_axes(const Setting& setting, Page& page) {
                     R"(s_1 + s_2 = \frac{v^2}{2\mu g}: \text{ a square, not a circle})"}});
   page.text(
       R"(And the solver chooses the axes: turn t₁ and t₂ by 45°, and other pucks get farthest. Coulomb's law has one
-      bound, for the length of the impulse. So the two rows are one block, solved together and scaled together. (t₁ and
-      t₂ may turn from step to step. A warm start then expresses the remembered impulse in the new axes: the vector
-      stays, its two numbers change.))");
+      bound, for the length of the impulse. So the two rows are one block, solved together and scaled together. (t₁
+      and t₂ may turn from step to step. The remembered impulse stays, so a warm start needs its numbers in the new
+      axes.))");
   page.excerpt("lessons/07_space/two_axes.cpp", "disc");
-  page.figure(
-      "where_they_stop",
-      "Where half of the pucks stop, seen from above. Dashed, for very short steps: a square if each axis is "
-      "bounded by itself, a circle with the disc.",
-      stopped_at(film, v * v / (2 * a)));
+  page.figure("where_they_stop",
+              "Where half of the pucks stop, from above. Dashed, for very short steps: a square with each axis by "
+              "itself, a circle with the disc.",
+              stopped_at(film, v * v / (2 * a)));
   page.measure("distance at 45°, each axis over disc", pyramid / disc, "1");
   // A slow axis may stop within its first step.
   page.measure("heading at the end, each axis", std::abs(final_heading) < 1e-9 ? 0 : degrees(final_heading),
