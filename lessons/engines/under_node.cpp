@@ -206,63 +206,59 @@ struct Found {
   std::vector<std::string> missing;
 
   Found() {
+    const bool runs =
+        std::ifstream(modules + "/this_course.wasm").good() && !the_host()->ask(json::object()).is_null();
     Engine own = this_course();
     own.name += " in WebAssembly";
-    own.version = "this build";
+    own.version = runs ? "this build" : "";
     own.refusal = pins_and_boxes;
     own.in_plane = ours<PlaneBody>();
     own.in_space = ours<SpaceBody>();
-    add(own, std::ifstream(modules + "/this_course.wasm").good());
-    const std::string physx = version_of("physx-js-webidl");
+    add(own);
     const auto add_physx = [&](const std::string& mode, const std::string& method, const Settings& settings,
                                std::string (*refused)(const Asked&)) {
       add({.name = "PhysX " + mode,
-           .version = physx,
+           .version = version_of("physx-js-webidl"),
            .method = method,
            .file = "lessons/engines/settings/physx.cpp",
            .single = true,
            .settings = settings,
            .refusal = refused,
            .in_plane = in_host<PlaneBody>("physx", mode),
-           .in_space = in_host<SpaceBody>("physx", mode)},
-          !physx.empty());
+           .in_space = in_host<SpaceBody>("physx", mode)});
     };
     add_physx("TGS", "sweeps, each over a part of the step", physx_settings(), pins_and_boxes);
     add_physx("PGS", "sweeps", physx_settings(), pins_and_boxes);
     add_physx("articulation", "one coordinate a hinge: Featherstone's articulated bodies",
               physx_articulation_settings(), pins_alone);
-    const std::string jolt = version_of("jolt-physics"),
-                      rapier = version_of("@dimforge/rapier2d-deterministic-compat");
     add({.name = "Jolt",
-         .version = jolt,
+         .version = version_of("jolt-physics"),
          .method = "sweeps, then sweeps over positions",
          .file = "lessons/engines/settings/jolt.cpp",
          .single = true,
          .settings = jolt_settings(),
          .refusal = pins_and_boxes,
          .in_plane = in_host<PlaneBody>("jolt"),
-         .in_space = in_host<SpaceBody>("jolt")},
-        !jolt.empty());
+         .in_space = in_host<SpaceBody>("jolt")});
     add({.name = "Rapier",
-         .version = rapier,
+         .version = version_of("@dimforge/rapier2d-deterministic-compat"),
          .method = "one sweep a substep, soft joints and contacts, then a relaxing sweep",
          .file = "lessons/engines/settings/rapier.cpp",
          .home = Home::plane,
          .single = true,
          .settings = rapier_settings(),
          .refusal = pins_and_boxes,
-         .in_plane = in_host<PlaneBody>("rapier")},
-        !rapier.empty());
-    if (!missing.empty() && missing.front() == own.name) {
+         .in_plane = in_host<PlaneBody>("rapier")});
+    if (!runs) {
       for (const Engine& engine : engines) missing.push_back(engine.name);
       engines.clear();
     }
   }
 
  private:
-  void add(Engine engine, bool installed) {
+  void add(Engine engine) {
     engine.build = "WebAssembly";
-    installed ? engines.push_back(engine) : missing.push_back(engine.name);
+    engine.version.empty() ? missing.push_back(engine.name) : engines.push_back(engine);
   }
   /// Of a package that npm has fetched; empty if it has not.
   static std::string version_of(const std::string& package) {

@@ -5,6 +5,7 @@
 //   {"velocities": [[v, spin], …]}  of its bodies
 //   {"steps": 4, "h": 0.004}  → {"seconds": of the processor, in all steps of this world,
 //                                "bodies": [[position, quaternion from w on, v, spin], …]}
+// Any other is answered by {}.
 import { createInterface } from 'node:readline';
 
 for (const print of ['log', 'warn', 'error']) console[print] = () => {}; // engines would print among the answers
@@ -22,7 +23,7 @@ for await (const line of createInterface({ input: process.stdin })) {
     seconds = 0;
   } else if (velocities) {
     world.setVelocities(velocities);
-  } else {
+  } else if (steps !== undefined) {
     const begin = processorSeconds();
     for (let i = 0; i < steps; ++i) world.step(h);
     seconds += processorSeconds() - begin;

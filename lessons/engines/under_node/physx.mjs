@@ -36,7 +36,7 @@ export async function load(modules) {
     descriptor.solverType = px.PxSolverTypeEnum[mode === 'PGS' ? 'ePGS' : 'eTGS'];
     const scene = physics.createScene(descriptor);
     px.destroy(descriptor);
-    const iterations = [knob('iterations', 4), knob('velocity iterations', 1)];
+    const iterations = knob('iterations', 4);
 
     const shape = (actor, { box, friction, restitution }) => {
       const geometry = box ? new px.PxBoxGeometry(...box.map(side => side / 2)) : new px.PxPlaneGeometry();
@@ -62,7 +62,7 @@ export async function load(modules) {
       if (box || ground) shape(actor, body);
       if (!fixed) {
         weigh(actor, body);
-        actor.setSolverIterationCounts(...iterations);
+        actor.setSolverIterationCounts(iterations);
         for (const axis of flat ? ['LINEAR_Z', 'ANGULAR_X', 'ANGULAR_Y'] : [])
           actor.setRigidDynamicLockFlag(px.PxRigidDynamicLockFlagEnum[`eLOCK_${axis}`], true);
         actor.setLinearVelocity(vector(body.velocity)), actor.setAngularVelocity(vector(body.spin));
@@ -75,7 +75,7 @@ export async function load(modules) {
       if (!trees.has(root)) {
         const tree = physics.createArticulationReducedCoordinate();
         tree.setArticulationFlag(px.PxArticulationFlagEnum.eFIX_BASE, true);
-        tree.setSolverIterationCounts(...iterations), tree.setSleepThreshold(0);
+        tree.setSolverIterationCounts(iterations), tree.setSleepThreshold(0);
         trees.set(root, { tree, link: tree.createLink(null, frame(0, bodies[root].position, bodies[root].rotation)) });
       }
       return trees.get(root);
