@@ -24,14 +24,23 @@ Entrant<M> entrant_of(const Engine& engine, Kind kind, double most_work) {
   return entrant;
 }
 
+/// All who may take part somewhere, this course first.
+std::vector<Engine> members(Party party) {
+  if (party == Party::webassembly) return engines::engines_in_webassembly();
+  std::vector<Engine> all = engines::all_engines();
+  all.insert(all.begin(), engines::this_course());
+  return all;
+}
+
 }  // namespace
 
 template <class M>
-Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody, double most_work) {
-  if (alone()) most_work = 0;  // nobody to be best against
-  Field<M> field{{entrant_of<M>(engines::this_course(), kind, most_work)}};
+Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody, double most_work, Party party) {
+  const std::vector<Engine> all = members(party);
+  if (all.size() < 2) most_work = 0;  // nobody to be best against
+  Field<M> field{.party = party, .entrants = {}};
   std::vector<std::pair<std::string, std::string>> reasons;  // and whose
-  for (const Engine& engine : engines::all_engines()) {
+  for (const Engine& engine : all) {
     std::string why = engines::refusal(engine, scene);
     if (why.empty() && M::linear == 2 && engine.home == engines::Home::space && !everybody)
       why = "at home in space, and compared there";
@@ -141,13 +150,8 @@ std::vector<Point> front(std::vector<Point> all) {
   return kept;
 }
 
-/// All who take part anywhere: each keeps its place, and so its colour and marker, in every figure.
-std::vector<std::string> everybody() {
-  std::vector<std::string> names{ours_name};
-  for (const Engine& engine : engines::all_engines()) names.push_back(engine.name);
-  return names;
-}
-/// Their colours: the series', and two more.
+/// Of members, each of which keeps its place, and so its colour and marker, in every figure of its party: the
+/// series' colours, and two more.
 Colour colour_of(std::size_t place) {
   constexpr std::size_t series = 8;
   constexpr Colour further[] = {palette::muted, {0, 139, 160}};
@@ -172,7 +176,8 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
     for (std::size_t j = 0; j < errors[i].by_setting.size(); ++j)
       if (std::isfinite(errors[i].by_setting[j])) contestants.push_back(field.entrants[i].settings[j]);
   const std::vector<double> seconds = engines::seconds_a_frame(contestants, scene, frames, 3);
-  Chart chart{.x = {.label = "processor time (µs a frame)", .scale = Scale::logarithmic},
+  const std::string where = field.party == Party::webassembly ? " in WebAssembly" : "";
+  Chart chart{.x = {.label = "processor time" + where + " (µs a frame)", .scale = Scale::logarithmic},
               .y = {.label = label, .scale = Scale::logarithmic}};
   std::vector<std::vector<Point>> fronts;
   std::size_t place = 0;
@@ -185,7 +190,8 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
     }
     fronts.push_back(front(points));
   }
-  for (const std::string& name : everybody()) {
+  for (const Engine& member : members(field.party)) {
+    const std::string& name = member.name;
     Curve curve{.label = name, .style = CurveStyle::line_and_markers, .colour = colour_of(chart.curves.size())};
     const auto own = std::find_if(errors.begin(), errors.end(), [&](const Errors& e) { return e.name == name; });
     if (own == errors.end()) {
@@ -256,7 +262,7 @@ std::string judged(Page& page, const std::vector<Errors>& all) {
 }
 
 #define BYHAND_INSTANTIATE(M)                                                                            \
-  template Field<M> field_of(const Scene<M>&, Kind, bool, double);                                       \
+  template Field<M> field_of(const Scene<M>&, Kind, bool, double, Party);                                \
   template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, \
                                                             const std::function<std::string(double)>&);  \
   template void tell_three(Page&, const Field<M>&, const std::vector<Errors>&,                           \

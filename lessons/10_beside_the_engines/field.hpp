@@ -25,9 +25,13 @@ struct Entrant {
   std::vector<Contestant<M>> settings;
 };
 
+/// Who meets: in this program, or in WebAssembly under node. A time of one is not compared with one of the other.
+enum class Party { native, webassembly };
+
 /// The course's solver and the engines that run a scene, and why the others do not.
 template <class M>
 struct Field {
+  Party party = Party::native;
   std::vector<Entrant<M>> entrants;
   std::string left_out = {};  // "Box2D 3 (knows the plane alone); …"
 };
@@ -37,7 +41,8 @@ enum class Kind { joints, contacts };
 /// Who runs a scene of one kind. Engines of space are left out of the plane, unless `everybody` takes part;
 /// settings of more than `most_work` iterations a frame are not tried.
 template <class M>
-Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody = false, double most_work = INFINITY);
+Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody = false, double most_work = INFINITY,
+                  Party party = Party::native);
 
 /// One number of each setting of an entrant, the less the better; infinite where it failed.
 struct Errors {

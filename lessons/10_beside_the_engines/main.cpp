@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   lesson.deeper("The chain in space", with(chain_in_space));
   lesson.deeper("Stacks in space", with(stacks_in_space));
   lesson.deeper("The pyramid in space", with(wall_in_space));
+  lesson.deeper("Engines in WebAssembly", with(in_webassembly));
 
   std::vector<std::string> known{
       "Two engines can be compared only in the same scene, by the same measure, for as long as the scene's "

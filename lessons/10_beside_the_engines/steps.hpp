@@ -16,4 +16,9 @@ void chain_in_space(const Setting& setting, course::Page& page);
 void stacks_in_space(const Setting& setting, course::Page& page);
 void wall_in_space(const Setting& setting, course::Page& page);
 
+void in_webassembly(const Setting& setting, course::Page& page);
+// Its parts.
+void chain_in_webassembly(const Setting& setting, course::Page& page);
+void wall_in_webassembly(const Setting& setting, course::Page& page);
+
 }  // namespace byhand::beside

@@ -113,4 +113,29 @@ void wall_in_space(const Setting& setting, Page& page) {
   walls_of<SpaceBody>(setting.base, "space_wall_clocked", 40, page);
 }
 
+namespace {
+
+template <class M>
+void wall_in_webassembly_of(int base, const std::string& where, Page& page) {
+  const Scene<M> scene = pyramid<M>(base);
+  const Field<M> field = field_of(scene, Kind::contacts, false, 40, Party::webassembly);
+  const auto still = outcomes_of(field, [&](const auto& who) { return end_of(who, scene, 0); });
+  const auto moved = errors_of(still, &Wall::moved), overlap = errors_of(still, &Wall::overlap);
+  page.text("The pyramid of step 6 @: the largest sideways displacement of a box from rest in @ s.", where,
+            wall_frames * frame);
+  tell_three<M>(page, field, moved, in_millimetres);
+  compare_by_time(page, say("webassembly_wall_@", M::linear),
+                  say("Displacement and time of the pyramid @.", where), moved,
+                  [=] { return against_time(field, moved, scene, timed_wall_frames, "moved sideways (m)"); });
+  page.text("How deep two boxes overlap at the end, which is partly each engine's intention:");
+  tell_three<M>(page, field, overlap, in_millimetres);
+}
+
+}  // namespace
+
+void wall_in_webassembly(const Setting& setting, Page& page) {
+  wall_in_webassembly_of<PlaneBody>(setting.base, "in the plane", page);
+  wall_in_webassembly_of<SpaceBody>(setting.base, "in space", page);
+}
+
 }  // namespace byhand::beside

@@ -1,0 +1,33 @@
+// After step 6: engines that exist in WebAssembly alone, beside this course in WebAssembly.
+
+#include "lessons/10_beside_the_engines/field.hpp"
+#include "lessons/10_beside_the_engines/steps.hpp"
+
+namespace byhand::beside {
+
+void in_webassembly(const Setting& setting, Page& page) {
+  const auto& all = engines::engines_in_webassembly();
+  page.text(
+      R"(PhysX, Jolt and Rapier come from npm, compiled to WebAssembly. Node runs them, and beside them this course, compiled
+      to WebAssembly as well.)");
+  std::string names;
+  for (const std::string& name : engines::missing_in_webassembly()) names += (names.empty() ? "" : ", ") + name;
+  if (!names.empty())
+    page.text(
+        R"(Not here: @. Where node, npm and the packages of the site are installed, `./lessons/run 10` fetches the engines
+        and compiles this course.)",
+        names);
+  if (all.empty()) return;
+  page.text(
+      R"(WebAssembly is slower than native code, and not by the same factor for every engine. So the times of this step
+      are compared with one another only; errors do not depend on it.)");
+  std::vector<std::vector<std::string>> rows;
+  for (const Engine& engine : all)
+    rows.push_back({engine.name, engine.version, engine.single ? "single" : "double", engine.method,
+                    engine.file.substr(engine.file.rfind('/') + 1)});
+  page.table({"engine", "version", "precision", "how it solves", "its settings"}, rows);
+  chain_in_webassembly(setting, page);
+  wall_in_webassembly(setting, page);
+}
+
+}  // namespace byhand::beside
