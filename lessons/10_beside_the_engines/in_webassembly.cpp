@@ -14,8 +14,8 @@ void in_webassembly(const Setting& setting, Page& page) {
   for (const std::string& name : engines::missing_in_webassembly()) names += (names.empty() ? "" : ", ") + name;
   if (!names.empty())
     page.text(
-        R"(Not here: @. Where node, npm and the packages of the site are installed, `./lessons/run 10` fetches the engines
-        and compiles this course.)",
+        R"(Not here: @. `./lessons/run 10` fetches the engines and compiles this course if it finds node, npm and the packages
+        that `./lessons/run site` installs.)",
         names);
   if (all.empty()) return;
   page.text(
