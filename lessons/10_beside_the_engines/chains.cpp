@@ -145,9 +145,9 @@ void chains(const Setting& setting, Page& page) {
   const double end_mass = setting.end_mass;
   const Scene<M> scene = chain_of<M>(links, end_mass);
   page.text(
-      R"(A chain of @ pinned links of 1 m and 1 kg, the last of @ kg, is held level and let go. Every link has to pass
-      on the force that holds the chain, so it takes an iteration per link at least, and more with a heavy end (lesson
-      3). A step too long for the pull tears the chain (lesson 8, law 7). So it is watched for @ s, long enough for the
+      R"(A chain of @ pinned links of 1 m and 1 kg, the last of @ kg, is held level and let go. A sweep passes
+      the force that holds the chain on by about a link, so sweeping takes a sweep per link at least, and more with a
+      heavy end (lesson 3); a direct solve or joint coordinates take one pass. A step too long for the pull tears the chain (lesson 8, law 7). So it is watched for @ s, long enough for the
       load to pass its lowest point. The gap is that of the worst pin. A run has
       failed if a pin opens by a whole link, or if the chain gains more energy than it could by falling its whole
       length.)",
@@ -179,8 +179,9 @@ void chains(const Setting& setting, Page& page) {
     page.text("@",
               page.verdict({{.when = law_7 >= 1,
                              .say = say(R"(With the links' weight T h²/(m l) is @ at the top, and yet the chain
-                                         holds as shipped: fewer light links bear more than law 7's 1.)",
-                                        Value(law_7.value, 2))}}));
+                                         holds as shipped: law 7's limit of 1 is that of a long chain of bobs, not of
+                                         @ bars.)",
+                                        Value(law_7.value, 2), links)}}));
   if (!std::isfinite(gaps.front().shipped()))
     page.text(
         "As shipped this course takes one step a frame. @",
@@ -205,7 +206,7 @@ void chains(const Setting& setting, Page& page) {
 
   page.text(
       R"(A small gap is not yet the right motion. An integration in the links' angles gives the true position of each
-      link after @ s, before the load is down. The worst link is off by:)",
+      link after @ s, before the load has passed its lowest point. The worst link is off by:)",
       Value(exact_frames_of(links) * frame, 2));
   tell_three<M>(page, field, offs, in_millimetres);
   compare_by_time(page, "chain_motion_clocked", "How far the worst link is off then, and the time of a frame.",
@@ -226,7 +227,7 @@ void chains(const Setting& setting, Page& page) {
   others.push_back({"tree of 255", tree(8), 360});
   page.text(
       R"(The same end mass on chains of other lengths, and a binary tree of 255 links of 1 kg without a load, each
-      engine as its manual advises:)");
+      engine as its manual advises (–: it does not take such a scene):)");
   std::vector<std::string> head{"largest gap"};
   std::vector<std::vector<std::string>> rows;
   std::string out;

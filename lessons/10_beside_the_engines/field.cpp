@@ -43,7 +43,7 @@ Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody, double most_
   for (const Engine& engine : all) {
     std::string why = engines::refusal(engine, scene);
     if (why.empty() && M::linear == 2 && engine.home == engines::Home::space && !everybody)
-      why = "at home in space, and compared there";
+      why = "three-dimensional, compared below in space";
     if (why.empty()) {
       field.entrants.push_back(entrant_of<M>(engine, kind, most_work));
       continue;
@@ -59,9 +59,17 @@ Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody, double most_
   return field;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    all += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return all;
+}
+
 std::string in_millimetres(double metres) {
   if (!std::isfinite(metres)) return "failed";
-  return metres < 1e-9 ? std::string("0") : say("@ mm", Value(1000 * metres, 2));
+  if (metres == 0) return "0";
+  return metres < 1e-9 ? std::string("< 1 nm") : say("@ mm", Value(1000 * metres, 2));
 }
 
 template <class M>
@@ -91,12 +99,20 @@ void tell_three(Page& page, const Field<M>& field, const std::vector<Errors>& al
 
 namespace {
 
+/// "or less" at the margin, if something is drawn there.
+void mark_margin(Chart& chart) {
+  if (std::any_of(chart.curves.begin(), chart.curves.end(),
+                  [](const Curve& one) { return std::find(one.y.begin(), one.y.end(), margin) != one.y.end(); }))
+    chart.references.push_back({.value = margin, .label = "or less"});
+}
+
 Chart compared(const std::vector<Errors>& all, const std::string& label) {
   Chart chart{.y = {.label = label, .scale = Scale::logarithmic}};
   chart.x.range = {{-0.5, static_cast<double>(all.size()) - 0.5}};
-  const std::pair<const char*, double (Errors::*)() const> rows[] = {{"as shipped", &Errors::shipped},
-                                                                     {"as its manual advises", &Errors::advised},
-                                                                     {"best of its settings", &Errors::best}};
+  const std::pair<const char*, double (Errors::*)() const> rows[] = {
+      {"as shipped", &Errors::shipped},
+      {"as its manual advises", &Errors::advised},
+      {"best of the settings tried", &Errors::best}};
   double aside = -0.12;  // or equal values would hide each other
   for (const auto& [name, number] : rows) {
     Curve curve{.label = name, .style = CurveStyle::markers};
@@ -108,7 +124,7 @@ Chart compared(const std::vector<Errors>& all, const std::string& label) {
     aside += 0.12;
   }
   for (std::size_t i = 0; i < all.size(); ++i) chart.x.ticks.push_back({static_cast<double>(i), all[i].name});
-  chart.references.push_back({.value = margin, .label = "or less"});
+  mark_margin(chart);
   return chart;
 }
 
@@ -120,7 +136,7 @@ void compare(Page& page, const std::string& name, const std::string& caption, co
   const bool failed = std::any_of(all.begin(), all.end(), [](const Errors& one) {
     return !std::isfinite(one.shipped()) || !std::isfinite(one.advised()) || !std::isfinite(one.best());
   });
-  page.figure(name, say("@@", caption, failed ? " A cross: failed." : ""), compared(all, label));
+  page.figure(name, say("@@", caption, failed ? " A cross at the upper edge: failed." : ""), compared(all, label));
 }
 
 void compare_by_time(Page& page, const std::string& name, const std::string& caption,
@@ -158,11 +174,12 @@ Colour colour_of(std::size_t place) {
   return place < series ? palette::series(static_cast<int>(place)) : further[(place - series) % 2];
 }
 
-/// Whether some point of theirs is beaten by none of ours, in both.
+/// Whether some point of theirs is beaten by none of ours, in both, by more than clocks and judged() tell apart.
 bool ahead_somewhere(const std::vector<Point>& theirs, const std::vector<Point>& ours) {
   return std::any_of(theirs.begin(), theirs.end(), [&](const Point& point) {
-    return std::none_of(ours.begin(), ours.end(),
-                        [&](const Point& own) { return own.time <= point.time && own.error <= point.error; });
+    return std::none_of(ours.begin(), ours.end(), [&](const Point& own) {
+      return own.time <= 1.1 * point.time && own.error <= 1.01 * point.error;
+    });
   });
 }
 
@@ -195,7 +212,7 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
     Curve curve{.label = name, .style = CurveStyle::line_and_markers, .colour = colour_of(chart.curves.size())};
     const auto own = std::find_if(errors.begin(), errors.end(), [&](const Errors& e) { return e.name == name; });
     if (own == errors.end()) {
-      curve.label += " (left out)";
+      curve.label = "";  // left out
     } else {
       for (const Point& point : fronts[own - errors.begin()]) {
         curve.x.push_back(point.time);
@@ -206,13 +223,13 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
     }
     chart.curves.push_back(std::move(curve));
   }
-  std::string ahead;
+  std::vector<std::string> ahead;
   for (std::size_t i = 1; i < fronts.size(); ++i)
-    if (ahead_somewhere(fronts[i], fronts[0])) ahead += (ahead.empty() ? "" : ", ") + errors[i].name;
+    if (ahead_somewhere(fronts[i], fronts[0])) ahead.push_back(errors[i].name);
   if (fronts.size() > 1)
-    chart.title = ahead.empty() ? "None of them beats this course at any cost"
-                                : "Ahead of this course at some cost: " + ahead;
-  chart.references.push_back({.value = margin, .label = "or less"});
+    chart.title = ahead.empty() ? "At equal time no engine drawn here has less error than this course"
+                                : "At some time less error than this course: " + listed(ahead);
+  mark_margin(chart);
   return chart;
 }
 
@@ -238,25 +255,27 @@ std::string judged(Page& page, const std::vector<Errors>& all) {
   for (const auto& [name, number] : rows) {
     const double own = told((all[0].*number)());
     double theirs = INFINITY;
-    std::string ahead, level;
+    std::vector<std::string> ahead, level;
     for (std::size_t i = 1; i < all.size(); ++i) {
       const double error = told((all[i].*number)());
       theirs = std::min(theirs, error);
       if (1.01 * error < own)
-        ahead += (ahead.empty() ? "" : ", ") + all[i].name;
+        ahead.push_back(all[i].name);
       else if (std::isfinite(own) && error < 1.01 * own)
-        level += (level.empty() ? "" : ", ") + all[i].name;
+        level.push_back(all[i].name);
     }
     const Quantity ours("this course", own), less("1.01 × the least of the engines", 1.01 * theirs),
         more("1.01 × this course", 1.01 * own), least("the least of the engines", theirs);
-    words +=
-        say("@@", words.empty() ? "" : " ",
-            page.verdict(
-                {{.when = less < ours, .say = say("@ this course has more error than @.", name, ahead)},
-                 {.when = least > more, .say = say("@ this course has the least error.", name)},
-                 {.when = least <= more,
-                  .say = level.empty() ? say("@ all fail.", name)
-                                       : say("@ this course has the least error, level with @.", name, level)}}));
+    words += say(
+        "@@", words.empty() ? "" : " ",
+        page.verdict(
+            {{.when = less < ours, .say = say("@ this course has more error than @.", name, listed(ahead))},
+             {.when = least > more, .say = say("@ this course has the least error.", name)},
+             {.when = least <= more,
+              .say = level.empty()  ? say("@ all fail.", name)
+                     : own > margin ? say("@ this course has the least error, level with @.", name, listed(level))
+                                    : say("@ this course is below 10⁻⁶, where the comparison ends, and so @ @.",
+                                          name, level.size() == 1 ? "is" : "are", listed(level))}}));
   }
   return words;
 }

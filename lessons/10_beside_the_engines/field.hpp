@@ -12,7 +12,7 @@ using engines::Engine;
 using engines::frame;
 using engines::Knobs;
 constexpr double gravity = 9.81;  // [m/s²]
-constexpr double margin = 1e-6;   // [m, rad]: figures show no less; a float of 50 m knows no less
+constexpr double margin = 1e-6;   // [m, rad]: the comparison ends there; a float of 50 m knows no less
 constexpr int settling = 60;      // frames in which a pile comes to its engine's own rest
 
 /// The name under which the course's solver takes part.
@@ -89,6 +89,9 @@ std::vector<Errors> errors_of(const std::vector<Outcomes<Outcome>>& all, F&& num
   return errors;
 }
 
+/// "A, B and C".
+std::string listed(const std::vector<std::string>& names);
+
 /// "1.2 mm", "failed".
 std::string in_millimetres(double metres);
 
@@ -97,7 +100,7 @@ template <class M>
 std::vector<std::vector<std::string>> three_rows(const Field<M>& field, const std::vector<Errors>& all,
                                                  const std::function<std::string(double)>& words);
 inline const std::vector<std::string> head_of_three_rows{"", "as shipped", "as its manual advises",
-                                                         "best of its settings", "namely"};
+                                                         "best of the settings tried", "setting"};
 
 /// Adds these rows as a table, and below it who is left out and who has less error than the course. Alone the
 /// course has no best of its settings.
@@ -111,7 +114,7 @@ void compare(Page& page, const std::string& name, const std::string& caption, co
              const std::string& label);
 
 /// Error against microseconds a frame, one curve an entrant: of its settings those that no other of its own beats
-/// in both. Its title names who is ahead of the course somewhere.
+/// in both. Its title names who is ahead of the course somewhere, by more than a tenth of the time.
 template <class M>
 Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, const Scene<M>& scene, int frames,
                    const std::string& label);

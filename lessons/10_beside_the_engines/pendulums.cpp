@@ -100,8 +100,8 @@ void pendulums(const Setting&, Page& page) {
   const double once = with_steps(1), four = with_steps(4), ratio = once / four;
   page.predict(
       {.ask =
-           R"(This course solves the pin exactly. With one step a frame, how many times as large is the error of the
-           rod's angle as with four?)",
+           R"(This course solves the pin exactly. By what factor is the error of the rod's angle larger with one step a
+           frame than with four?)",
        .answer = 4,
        .unit = "1",
        .tolerance = 0.6,
@@ -118,7 +118,8 @@ void pendulums(const Setting&, Page& page) {
   compare(page, "pendulum_angle",
           say("The rod on a pin: largest error of its angle in @ s.", pendulum_frames * frame), rods,
           "error of the angle (rad)");
-  compare_by_time(page, "pendulum_clocked", "Error and time of the rod on a pin.", rods,
+  compare_by_time(page, "pendulum_clocked",
+                  "Error and time of the rod on a pin. As in lesson 9, down and left is good.", rods,
                   [=] { return against_time(with_pins, rods, rod, pendulum_frames, "error of the angle (rad)"); });
   by_scheme(page, rod, exact_rod);
   page.text("The bob on a rod:");

@@ -67,7 +67,8 @@ std::string told(const Standing& standing) {
   if (std::isfinite(standing.fell))
     return standing.fell == 0 ? std::string("fell before it came to rest")
                               : say("fell after @ s", Value(standing.fell, 2));
-  return say("leans @, sags @", in_millimetres(standing.lean), in_millimetres(std::max(standing.sag, 0.0)));
+  return say("leans @, @ @", in_millimetres(standing.lean), standing.sag < -1e-9 ? "rises" : "sags",
+             in_millimetres(standing.sag < -1e-9 ? -standing.sag : std::max(standing.sag, 0.0)));
 }
 
 template <class M>
@@ -160,11 +161,12 @@ void stacks(const Setting& setting, Page& page) {
   const int boxes = setting.boxes;
   page.text(
       R"(A stack stands only if its contacts carry its weight *and* its bending, which takes more warm sweeps the
-      higher it is (lesson 5). Here @ unit boxes: with each box @ cm off, to alternate sides, and
+      higher it is (lesson 5). Here @ unit boxes: one with each box @ cm off to alternate sides, one
       straight. Each engine has a second to come to its own rest, with whatever overlap it keeps. From there the
       straight ones are kicked, by @ m/s at the top and in proportion to the height below, and all are watched for @ s. *Lean* is how far the
       top has moved sideways from that rest position; *sag*, how far down. A stack has fallen when some box has no box below its centre.)",
-      boxes == tallest ? say("is a stack of @", tallest) : say("are stacks of @ and of @", boxes, tallest),
+      boxes == tallest ? say("are two stacks of @", tallest)
+                       : say("are two stacks of @ and two of @", boxes, tallest),
       100 * offset, stack_kick, stack_frames * frame);
   const double needed = 0.75 * gravity * frame * frame * 30 * 30 * 30;
   const double needed_by_ten = needed / 27;
@@ -172,7 +174,7 @@ void stacks(const Setting& setting, Page& page) {
       {.ask = say(R"(In steps of 1/60 s a stack of 10 needs @ warm sweeps a step, by lesson 5's estimate. How many
                 does a stack of 30 need?)",
                   Value(needed_by_ten, 3)),
-       .answer = needed,
+       .answer = std::ceil(needed),
        .unit = "1",
        .tolerance = 0.03 * needed,
        .wrong = {{3 * needed_by_ten,
@@ -180,7 +182,8 @@ void stacks(const Setting& setting, Page& page) {
                  {9 * needed_by_ten, "N² is the law of chains, which are stretched. A stack bends."}},
        .hints = {"How do the sweeps that a stack needs grow with its height?", "They grow as N³: ¾ g h² N³.",
                  say("3³ · @ = …", Value(needed_by_ten, 4))},
-       .right = say("¾ · 9.81/3600 · 27000 = @.", Value(needed, 3))});
+       .right = say("¾ · 9.81/3600 · 27000 = @, rounded up. The estimate grows as N³: 27 times as many.",
+                    Value(needed, 3))});
   stacks_of<PlaneBody>(boxes, "stack_clocked", page);
 }
 
