@@ -456,8 +456,8 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                        fate(fell_corrected))}}));
   page.figure(
       "sweeps_needed",
-      say(R"(Warm sweeps a step with which a kicked stack stands for @ s, h = @ s: overlaps left uncorrected, or
-            corrected beyond 1 mm, β = @ (no point: more than @). Dashed: the law; a run takes whole sweeps.)",
+      say(R"(How many warm sweeps a step a kicked stack needs to stand for @ s, h = @ s, if its overlaps are left
+            uncorrected and if those beyond 1 mm are corrected, β = @ (no point: more than @). Dashed: the law; a run takes whole sweeps.)",
           patience, setting.h, setting.beta, most_tried),
       needed(h, beyond_a_millimetre));
   page.text(
