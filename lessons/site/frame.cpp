@@ -62,6 +62,7 @@ std::string framed(const Frame& frame) {
 <title>{0} – Constraints by Hand</title>
 {8}<link rel="icon" type="image/svg+xml" href="assets/icon.svg" />
 <link rel="stylesheet" href="assets/style.css" />
+<script src="assets/fonts.js"></script>
 <script defer="defer" src="assets/equations.js"></script>
 <script defer="defer" src="assets/site.js"></script>
 {7}</head>

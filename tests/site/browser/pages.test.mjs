@@ -106,6 +106,20 @@ for (const page of pages)
       await tab.close();
     });
 
+test('a first visit is set in the letters of the course', async () => {
+  const tab = await open(url(`${lessons[0]}.html`));
+  const session = await tab.createCDPSession();
+  await session.send('DOM.enable');
+  await session.send('CSS.enable');
+  const { root } = await session.send('DOM.getDocument');
+  for (const [selector, family] of [['h1', 'Course Serif'], ['.summary', 'Course Serif'], ['.formula mi', 'Course Math']]) {
+    const { nodeId } = await session.send('DOM.querySelector', { nodeId: root.nodeId, selector });
+    const { fonts } = await session.send('CSS.getPlatformFontsForNode', { nodeId });
+    assert.deepEqual(fonts.map(font => font.familyName), [family], selector);
+  }
+  await tab.close();
+});
+
 // A phone's page has pictures of its own; only tables of small letters scroll, and say so.
 for (const page of pages)
   test(`at 390 × 844 ${page} hides nothing of its figures, formulas and listings, and its header is one row`, async () => {
