@@ -11,6 +11,7 @@ using M = PlaneBody;
 
 constexpr int slope_frames = 120;  // 2 s
 constexpr double degree = std::numbers::pi / 180;
+constexpr double start_depth = 1e-6;  // [m]
 
 /// How far the block has come down the slope in two seconds, and in the last of them [m].
 struct Slid {
@@ -18,7 +19,9 @@ struct Slid {
 };
 
 Slid slide(const Contestant<M>& contestant, double slope, double friction) {
-  const Scene<M> scene = box_on_incline(slope, friction);
+  Scene<M> scene = box_on_incline(slope, friction);
+  const Linear<M> up(std::sin(slope), std::cos(slope));
+  scene.set_position(1, Linear<M>(scene.bodies().pose[1].position - start_depth * up));
   double half = 0, way = 0;
   engines::run<M>(contestant, scene, slope_frames, [&](const Scene<M>& seen, double time) {
     way = (seen.bodies().pose[1].position - scene.bodies().pose[1].position)
@@ -79,16 +82,26 @@ void block_on_a_slope(const Setting& setting, Page& page) {
                  "½aht/(½at²) = h/t = …"},
        .hinted = too_far,
        .right = say("½at(t + h) instead of ½at²: h/t = 1/@.", std::lround(time / frame))});
-  const Field<M> field = field_of(box_on_incline(limit, mu), Kind::contacts, true, 0);
+  const Field<M> field = field_of(box_on_incline(limit, mu), Kind::contacts, From::everywhere, 0);
   const std::vector<double> aside{1, 0.1, -0.1, -1};
-  std::vector<std::vector<std::string>> rows{{"closed form"}};
-  for (const double d : aside)
-    rows[0].push_back(say("@ m", Value(0.5 * acceleration(limit + d * degree) * time * time, 3)));
+  const double gained = gravity * frame * std::sin(limit);  // in a step without friction
+  const auto after_a_lost_step = [&](double slope) {
+    const double a = gravity * (std::sin(slope) - mu * std::cos(slope)),
+                 until = a < 0 ? std::min(time, gained / -a) : time;
+    return gained * until + 0.5 * a * until * until;
+  };
+  std::vector<std::vector<std::string>> rows{{"closed form"}, {"closed form, first step without friction"}};
+  for (const double d : aside) {
+    const double slope = limit + d * degree;
+    rows[0].push_back(say("@ m", Value(0.5 * acceleration(slope) * time * time, 3)));
+    rows[1].push_back(say("@ m", Value(after_a_lost_step(slope), 3)));
+  }
   std::vector<double> ours;
   constexpr double creep = 1e-5;  // [m/s], in the second second, when what the first has shaken is over
   std::string creeping;
-  double farthest = 0;  // that an engine's block slips 0.1° below the limit [m]
   int still_moving = 0, theirs = 0;
+  const double nearly = after_a_lost_step(limit - 0.1 * degree);
+  std::vector<std::string> further;
   for (const Entrant<M>& entrant : field.entrants)
     for (const std::size_t row : {0, 1}) {
       const std::string name = say("@, @", entrant.name, row == 0 ? "as shipped" : "as advised");
@@ -96,11 +109,9 @@ void block_on_a_slope(const Setting& setting, Page& page) {
       Slid last;
       for (const double d : aside) {
         last = slide(entrant.settings[row], limit + d * degree, mu);
-        rows.back().push_back(std::abs(last.way) < 1e-6 ? std::string("0") : say("@ m", Value(last.way, 3)));
-        if (entrant.name == ours_name)
-          ours.push_back(last.way);
-        else if (d == -0.1)
-          farthest = std::max(farthest, last.way);
+        rows.back().push_back(std::abs(last.way) < margin ? in_millimetres(0) : say("@ m", Value(last.way, 3)));
+        if (entrant.name == ours_name) ours.push_back(last.way);
+        if (d == -0.1 && last.way > nearly) further.push_back(name);
       }
       const bool creeps = std::abs(last.in_the_last_second) > creep;
       rows.back().push_back(creeps ? say("@ mm/s", Value(1000 * last.in_the_last_second, 2)) : std::string("0"));
@@ -108,20 +119,29 @@ void block_on_a_slope(const Setting& setting, Page& page) {
       ++theirs;
       if (creeps) ++still_moving, creeping += (creeping.empty() ? "" : "; ") + name;
     }
-  rows[0].push_back("0");
+  for (const std::size_t row : {0, 1}) rows[row].push_back("0");
   page.text(
-      R"(In the first frames the contacts have no normal impulse yet, so friction cannot hold. Close to the limit a block
-      that has started needs long to stop@. On the slope that is 1° less steep the last column gives its speed during the
-      last second:)",
-      farthest > 1e-3 ? say(": 0.1° below it some engine's block slips by @ mm", Value(1000 * farthest, 2)) : "");
+      R"(The block starts 1 µm deep, or rounding would decide which corners touch. A step without friction gives it gh·sinθ = @ m/s. 0.1° below the limit friction takes off only @ m/s in a second, so it slides
+      on; 1° below it soon stops. The last column is its speed during the last second:)",
+      Value(gained, 2),
+      Value(-gravity * (std::sin(limit - 0.1 * degree) - mu * std::cos(limit - 0.1 * degree)), 2));
   page.table({"slid in 2 s", "1° steeper", "0.1° steeper", "0.1° less steep", "1° less steep",
               "final speed, 1° less steep"},
              rows);
-  const Quantity moving("rows that creep", still_moving);
+  const Quantity moving("rows that creep", still_moving),
+      slipped("rows that slide further", static_cast<double>(further.size()));
+  std::string slips;
   if (theirs > 0)
-    page.text("@", page.verdict({{.when = moving < 1, .say = "1° less steep all engines hold the block."},
-                                 {.when = moving >= 1,
-                                  .say = say("1° less steep these still creep after a second: @.", creeping)}}));
+    slips = page.verdict(
+        {{.when = slipped < 1, .say = "0.1° less steep none slides further than after one step without friction."},
+         {.when = slipped >= 1,
+          .say = say("0.1° less steep these slide further than after one step without friction: @.",
+                     listed(further))}});
+  if (theirs > 0)
+    page.text("@ @", slips,
+              page.verdict({{.when = moving < 1, .say = "1° less steep all engines hold the block."},
+                            {.when = moving >= 1,
+                             .say = say("1° less steep these still creep after a second: @.", creeping)}}));
   slips_for_ever(page, limit - degree, mu);
   for (std::size_t i = 0; i < aside.size(); ++i)
     page.claim(say("this course as shipped, @° from the limit: slid", Value(aside[i], 2)), ours[i], "m",

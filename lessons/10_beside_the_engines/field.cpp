@@ -6,25 +6,18 @@ namespace byhand::beside {
 
 namespace {
 
-/// Iterations or substeps in a frame.
-double work(const engines::Setting& setting) {
-  double most = 1;
-  for (const char* name : {"substeps", "iterations", "velocity iterations"})
-    most = std::max(most, setting.knobs.value(name, 1));
-  return most * setting.steps;
-}
-
 template <class M>
 Entrant<M> entrant_of(const Engine& engine, Kind kind, double most_work) {
   Entrant<M> entrant{engine.name, {}};
   const auto& settings = kind == Kind::joints ? engine.settings.joints : engine.settings.contacts;
   for (const engines::Setting& setting : settings)
-    if (setting.row != engines::Row::tuned || work(setting) <= most_work)
+    if (setting.row != engines::Row::tuned || engines::iterations_a_frame(setting) <= most_work)
       entrant.settings.push_back(engines::contestant<M>(engine, setting));
   return entrant;
 }
 
-/// All who may take part somewhere, this course first.
+}  // namespace
+
 std::vector<Engine> members(Party party) {
   if (party == Party::webassembly) return engines::engines_in_webassembly();
   std::vector<Engine> all = engines::all_engines();
@@ -32,79 +25,60 @@ std::vector<Engine> members(Party party) {
   return all;
 }
 
-}  // namespace
+template <class M>
+std::string why_not(const Engine& engine, const Scene<M>& scene, From from) {
+  const bool away = M::linear == 2 && engine.home == engines::Home::space && from == From::home;
+  const std::string why = engines::refusal(engine, scene);
+  return why.empty() && away ? "three-dimensional, compared in space below" : why;
+}
 
 template <class M>
-Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody, double most_work, Party party) {
+Field<M> field_of(const Scene<M>& scene, Kind kind, From from, double most_work, Party party) {
   const std::vector<Engine> all = members(party);
   if (all.size() < 2) most_work = 0;  // nobody to be best against
   Field<M> field{.party = party, .entrants = {}};
-  std::vector<std::pair<std::string, std::string>> reasons;  // and whose
-  for (const Engine& engine : all) {
-    std::string why = engines::refusal(engine, scene);
-    if (why.empty() && M::linear == 2 && engine.home == engines::Home::space && !everybody)
-      why = "three-dimensional, compared below in space";
-    if (why.empty()) {
-      field.entrants.push_back(entrant_of<M>(engine, kind, most_work));
-      continue;
-    }
-    const auto same = std::find_if(reasons.begin(), reasons.end(), [&](const auto& r) { return r.first == why; });
-    if (same == reasons.end())
-      reasons.emplace_back(why, engine.name);
-    else
-      same->second += ", " + engine.name;
-  }
-  for (const auto& [why, names] : reasons)
-    field.left_out += say("@@ (@)", field.left_out.empty() ? "" : "; ", names, why);
+  for (const Engine& engine : all)
+    if (why_not(engine, scene, from).empty()) field.entrants.push_back(entrant_of<M>(engine, kind, most_work));
   return field;
+}
+
+std::string in_words(double error, Unit unit) {
+  if (!std::isfinite(error)) return "failed";
+  if (error < margin) return unit == Unit::metres ? "< 1 µm" : "< 10⁻⁶ rad";
+  return unit == Unit::metres ? say("@ mm", Value(1000 * error, 2)) : say("@ rad", Value(error, 2));
 }
 
 std::string listed(const std::vector<std::string>& names) {
   std::string all;
   for (std::size_t i = 0; i < names.size(); ++i)
-    all += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+    all += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
   return all;
-}
-
-std::string in_millimetres(double metres) {
-  if (!std::isfinite(metres)) return "failed";
-  if (metres == 0) return "0";
-  return metres < 1e-9 ? std::string("< 1 nm") : say("@ mm", Value(1000 * metres, 2));
 }
 
 template <class M>
 std::vector<std::vector<std::string>> three_rows(const Field<M>& field, const std::vector<Errors>& all,
-                                                 const std::function<std::string(double)>& words) {
+                                                 Unit unit) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < all.size(); ++i)
-    rows.push_back({all[i].name, words(all[i].shipped()), words(all[i].advised()), words(all[i].best()),
-                    field.entrants[i].settings[all[i].best_setting()].words()});
+    rows.push_back({all[i].name, in_words(all[i].shipped(), unit), in_words(all[i].advised(), unit),
+                    in_words(all[i].best(), unit), field.entrants[i].settings[all[i].best_setting()].words()});
   return rows;
 }
 
 template <class M>
-void tell_three(Page& page, const Field<M>& field, const std::vector<Errors>& all,
-                const std::function<std::string(double)>& words) {
+void tell_three(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit) {
   std::vector<std::string> head = head_of_three_rows;
-  std::vector<std::vector<std::string>> rows = three_rows<M>(field, all, words);
+  std::vector<std::vector<std::string>> rows = three_rows<M>(field, all, unit);
   if (alone()) {
     constexpr std::size_t shipped_and_advised = 3;
     head.resize(shipped_and_advised);
     for (auto& row : rows) row.resize(shipped_and_advised);
   }
   page.table(head, rows);
-  const std::string out = left_out(field), verdicts = judged(page, all);
-  if (!out.empty() || !verdicts.empty()) page.text("@@", out, verdicts);
+  if (const std::string verdicts = judged(page, all, unit); !verdicts.empty()) page.text("@", verdicts);
 }
 
 namespace {
-
-/// "or less" at the margin, if something is drawn there.
-void mark_margin(Chart& chart) {
-  if (std::any_of(chart.curves.begin(), chart.curves.end(),
-                  [](const Curve& one) { return std::find(one.y.begin(), one.y.end(), margin) != one.y.end(); }))
-    chart.references.push_back({.value = margin, .label = "or less"});
-}
 
 Chart compared(const std::vector<Errors>& all, const std::string& label) {
   Chart chart{.y = {.label = label, .scale = Scale::logarithmic}};
@@ -118,13 +92,14 @@ Chart compared(const std::vector<Errors>& all, const std::string& label) {
     Curve curve{.label = name, .style = CurveStyle::markers};
     for (std::size_t i = 0; i < all.size(); ++i) {
       curve.x.push_back(static_cast<double>(i) + aside);
-      curve.y.push_back(std::max((all[i].*number)(), margin));
+      curve.y.push_back(told((all[i].*number)()));
     }
     chart.curves.push_back(std::move(curve));
     aside += 0.12;
   }
   for (std::size_t i = 0; i < all.size(); ++i) chart.x.ticks.push_back({static_cast<double>(i), all[i].name});
-  mark_margin(chart);
+  if (std::any_of(all.begin(), all.end(), [](const Errors& one) { return one.best() <= margin; }))
+    chart.references.push_back({.value = margin, .label = "or less"});
   return chart;
 }
 
@@ -150,15 +125,12 @@ void compare_by_time(Page& page, const std::string& name, const std::string& cap
 
 namespace {
 
-struct Point {
-  double time = 0, error = 0;  // [µs a frame, the error's unit]
-  std::string words = {};
-};
+using engines::Point;
 
 /// The points that no other beats in both, from the quickest on.
 std::vector<Point> front(std::vector<Point> all) {
   std::sort(all.begin(), all.end(), [](const Point& a, const Point& b) {
-    return std::pair(a.time, a.error) < std::pair(b.time, b.error);
+    return std::pair(a.seconds.least, a.error) < std::pair(b.seconds.least, b.error);
   });
   std::vector<Point> kept;
   for (const Point& point : all)
@@ -174,13 +146,17 @@ Colour colour_of(std::size_t place) {
   return place < series ? palette::series(static_cast<int>(place)) : further[(place - series) % 2];
 }
 
-/// Whether some point of theirs is beaten by none of ours, in both, by more than clocks and judged() tell apart.
-bool ahead_somewhere(const std::vector<Point>& theirs, const std::vector<Point>& ours) {
-  return std::any_of(theirs.begin(), theirs.end(), [&](const Point& point) {
-    return std::none_of(ours.begin(), ours.end(), [&](const Point& own) {
-      return own.time <= 1.1 * point.time && own.error <= 1.01 * point.error;
-    });
-  });
+/// Who has the smaller error at equal time, from which time on, and who is level within the spread of the times.
+std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>& all) {
+  std::vector<std::string> ahead, level;
+  for (const auto& [name, beside] : all)
+    if (beside.rank != engines::Rank::behind)
+      (beside.rank == engines::Rank::ahead ? ahead : level)
+          .push_back(say("@ (@ µs)", name, Value(1e6 * beside.seconds, 2)));
+  if (ahead.empty() && level.empty()) return "At equal time, no engine tried here has a smaller error";
+  return say("@@@", ahead.empty() ? "" : "A smaller error at equal time: " + listed(ahead),
+             ahead.empty() || level.empty() ? "" : "; ",
+             level.empty() ? "" : (ahead.empty() ? "Level at equal time: " : "level: ") + listed(level));
 }
 
 }  // namespace
@@ -192,44 +168,42 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
   for (std::size_t i = 0; i < errors.size(); ++i)
     for (std::size_t j = 0; j < errors[i].by_setting.size(); ++j)
       if (std::isfinite(errors[i].by_setting[j])) contestants.push_back(field.entrants[i].settings[j]);
-  const std::vector<double> seconds = engines::seconds_a_frame(contestants, scene, frames, 3);
+  const std::vector<engines::Seconds> seconds = engines::seconds_a_frame(contestants, scene, frames, 3);
   const std::string where = field.party == Party::webassembly ? " in WebAssembly" : "";
-  Chart chart{.x = {.label = "processor time" + where + " (µs a frame)", .scale = Scale::logarithmic},
-              .y = {.label = label, .scale = Scale::logarithmic}};
-  std::vector<std::vector<Point>> fronts;
+  Chart chart{.x = {.label = label, .scale = Scale::logarithmic},
+              .y = {.label = "processor time" + where + " (µs a frame)", .scale = Scale::logarithmic}};
+  std::vector<std::vector<Point>> points;
   std::size_t place = 0;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    std::vector<Point> points;
-    for (const double error : errors[i].by_setting) {
+  for (const Errors& one : errors) {
+    points.emplace_back();
+    for (const double error : one.by_setting) {
       if (!std::isfinite(error)) continue;
-      points.push_back({1e6 * seconds[place], std::max(error, margin), contestants[place].words()});
+      points.back().push_back({seconds[place], told(error), contestants[place].words()});
       ++place;
     }
-    fronts.push_back(front(points));
   }
   for (const Engine& member : members(field.party)) {
     const std::string& name = member.name;
     Curve curve{.label = name, .style = CurveStyle::line_and_markers, .colour = colour_of(chart.curves.size())};
     const auto own = std::find_if(errors.begin(), errors.end(), [&](const Errors& e) { return e.name == name; });
     if (own == errors.end()) {
-      curve.label = "";  // left out
+      curve.label.clear();  // a curve without a name or points keeps the markers of the others
     } else {
-      for (const Point& point : fronts[own - errors.begin()]) {
-        curve.x.push_back(point.time);
-        curve.y.push_back(point.error);
+      for (const Point& point : front(points[own - errors.begin()])) {
+        curve.x.push_back(point.error);
+        curve.y.push_back(1e6 * point.seconds.least);
         curve.point_names.push_back(point.words);
       }
       if (curve.x.empty()) curve.label += " (failed)";
     }
     chart.curves.push_back(std::move(curve));
   }
-  std::vector<std::string> ahead;
-  for (std::size_t i = 1; i < fronts.size(); ++i)
-    if (ahead_somewhere(fronts[i], fronts[0])) ahead.push_back(errors[i].name);
-  if (fronts.size() > 1)
-    chart.title = ahead.empty() ? "At equal time no engine drawn here has less error than this course"
-                                : "At some time less error than this course: " + listed(ahead);
-  mark_margin(chart);
+  std::vector<std::pair<std::string, engines::Beside>> beside;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    beside.emplace_back(errors[i].name, engines::at_equal_time(points[i], points[0]));
+  if (!beside.empty()) chart.title = title_of(beside);
+  if (std::any_of(errors.begin(), errors.end(), [](const Errors& one) { return one.best() <= margin; }))
+    chart.references.push_back({.axis = Reference::Across::x, .value = margin, .label = "or less"});
   return chart;
 }
 
@@ -240,14 +214,7 @@ double deepest_overlap(const Scene<M>& scene) {
   return position_error(scene, contacts).max;
 }
 
-namespace {
-
-/// As far as figures tell numbers apart.
-double told(double error) { return std::max(error, margin); }
-
-}  // namespace
-
-std::string judged(Page& page, const std::vector<Errors>& all) {
+std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
   if (all.size() < 2) return "";
   std::string words;
   const std::pair<const char*, double (Errors::*)() const> rows[] = {
@@ -259,35 +226,37 @@ std::string judged(Page& page, const std::vector<Errors>& all) {
     for (std::size_t i = 1; i < all.size(); ++i) {
       const double error = told((all[i].*number)());
       theirs = std::min(theirs, error);
-      if (1.01 * error < own)
+      if (engines::equal_errors * error < own)
         ahead.push_back(all[i].name);
-      else if (std::isfinite(own) && error < 1.01 * own)
+      else if (std::isfinite(own) && error < engines::equal_errors * own)
         level.push_back(all[i].name);
     }
     const Quantity ours("this course", own), less("1.01 × the least of the engines", 1.01 * theirs),
         more("1.01 × this course", 1.01 * own), least("the least of the engines", theirs);
-    words += say(
-        "@@", words.empty() ? "" : " ",
-        page.verdict(
-            {{.when = less < ours, .say = say("@ this course has more error than @.", name, listed(ahead))},
-             {.when = least > more, .say = say("@ this course has the least error.", name)},
-             {.when = least <= more,
-              .say = level.empty()  ? say("@ all fail.", name)
-                     : own > margin ? say("@ this course has the least error, level with @.", name, listed(level))
-                                    : say("@ this course is below 10⁻⁶, where the comparison ends, and so @ @.",
-                                          name, level.size() == 1 ? "is" : "are", listed(level))}}));
+    std::vector<std::string> below{"this course"};
+    below.insert(below.end(), level.begin(), level.end());
+    const std::string equal =
+        level.empty() ? say("@ all fail.", name)
+        : own <= margin
+            ? say("@ @ are @ @, where this comparison ends.", name, listed(below),
+                  below.size() == 2 ? "both" : "all", unit == Unit::metres ? "below 1 µm" : "below 10⁻⁶ rad")
+            : say("@ this course has the least error, level with @.", name, listed(level));
+    words += say("@@", words.empty() ? "" : " ",
+                 page.verdict({{.when = less < ours,
+                                .say = say("@ this course has more error than @.", name, listed(ahead))},
+                               {.when = least > more, .say = say("@ this course has the least error.", name)},
+                               {.when = least <= more, .say = equal}}));
   }
   return words;
 }
 
-#define BYHAND_INSTANTIATE(M)                                                                            \
-  template Field<M> field_of(const Scene<M>&, Kind, bool, double, Party);                                \
-  template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, \
-                                                            const std::function<std::string(double)>&);  \
-  template void tell_three(Page&, const Field<M>&, const std::vector<Errors>&,                           \
-                           const std::function<std::string(double)>&);                                   \
-  template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Scene<M>&, int,         \
-                              const std::string&);                                                       \
+#define BYHAND_INSTANTIATE(M)                                                                                   \
+  template Field<M> field_of(const Scene<M>&, Kind, From, double, Party);                                              \
+  template std::string why_not(const Engine&, const Scene<M>&, From);                                           \
+  template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, Unit); \
+  template void tell_three(Page&, const Field<M>&, const std::vector<Errors>&, Unit);                           \
+  template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Scene<M>&, int,                \
+                              const std::string&);                                                              \
   template double deepest_overlap(const Scene<M>&)
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceBody);

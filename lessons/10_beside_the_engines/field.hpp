@@ -12,8 +12,11 @@ using engines::Engine;
 using engines::frame;
 using engines::Knobs;
 constexpr double gravity = 9.81;  // [m/s²]
-constexpr double margin = 1e-6;   // [m, rad]: the comparison ends there; a float of 50 m knows no less
-constexpr int settling = 60;      // frames in which a pile comes to its engine's own rest
+constexpr double margin = 1e-6;   // [m, rad]: errors below are not compared; a float of 50 m knows no less
+constexpr double most_of_a_pendulum = 32, most_in_space = 256;  // iterations a frame that are tried, of joints
+constexpr double most_of_contacts = engines::contact_iterations.back(),
+                 most_of_a_wall_in_space = engines::contact_iterations.front();
+constexpr int settling = 60;  // frames in which a pile comes to its engine's own rest
 
 /// The name under which the course's solver takes part.
 inline const std::string& ours_name = engines::this_course().name;
@@ -28,21 +31,38 @@ struct Entrant {
 /// Who meets: in this program, or in WebAssembly under node. A time of one is not compared with one of the other.
 enum class Party { native, webassembly };
 
-/// The course's solver and the engines that run a scene, and why the others do not.
+/// The course's solver and the engines that run a scene.
 template <class M>
 struct Field {
   Party party = Party::native;
   std::vector<Entrant<M>> entrants;
-  std::string left_out = {};  // "Box2D 3 (knows the plane alone); …"
 };
 
 enum class Kind { joints, contacts };
+/// Whether engines of space take part in the plane.
+enum class From { home, everywhere };
 
-/// Who runs a scene of one kind. Engines of space are left out of the plane, unless `everybody` takes part;
-/// settings of more than `most_work` iterations a frame are not tried.
+/// Who runs a scene of one kind. Settings of more than `most_work` iterations a frame are not tried.
 template <class M>
-Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody = false, double most_work = INFINITY,
+Field<M> field_of(const Scene<M>& scene, Kind kind, From from = From::home, double most_work = INFINITY,
                   Party party = Party::native);
+
+/// All who may take part somewhere, this course first.
+std::vector<Engine> members(Party party);
+
+/// Why an engine is left out of such a field; empty if it is not.
+template <class M>
+std::string why_not(const Engine& engine, const Scene<M>& scene, From from = From::home);
+
+/// Of an error.
+enum class Unit { metres, radians };
+
+/// Who is left out of which scenes of a party, and why: engines of one reason share a row.
+std::vector<std::vector<std::string>> left_out(const Setting& setting, Party party);
+inline const std::vector<std::string> head_of_left_out{"left out", "of", "because"};
+
+/// As far as errors are compared.
+inline double told(double error) { return std::max(error, margin); }
 
 /// One number of each setting of an entrant, the less the better; infinite where it failed.
 struct Errors {
@@ -53,7 +73,9 @@ struct Errors {
   double advised() const { return by_setting[1]; }
   double best() const { return by_setting[best_setting()]; }
   std::size_t best_setting() const {
-    return std::min_element(by_setting.begin(), by_setting.end()) - by_setting.begin();
+    return std::min_element(by_setting.begin(), by_setting.end(),
+                            [](double a, double b) { return told(a) < told(b); }) -
+           by_setting.begin();
   }
 };
 
@@ -89,32 +111,31 @@ std::vector<Errors> errors_of(const std::vector<Outcomes<Outcome>>& all, F&& num
   return errors;
 }
 
-/// "A, B and C".
-std::string listed(const std::vector<std::string>& names);
+/// "1.2 mm", "< 1 µm", "failed"; "0.02 rad", "< 10⁻⁶ rad".
+std::string in_words(double error, Unit unit);
+inline std::string in_millimetres(double metres) { return in_words(metres, Unit::metres); }
 
-/// "1.2 mm", "failed".
-std::string in_millimetres(double metres);
+/// "Bullet, MuJoCo and Chipmunk".
+std::string listed(const std::vector<std::string>& names);
 
 /// A row an engine: its three errors in words, and the setting of the best.
 template <class M>
-std::vector<std::vector<std::string>> three_rows(const Field<M>& field, const std::vector<Errors>& all,
-                                                 const std::function<std::string(double)>& words);
+std::vector<std::vector<std::string>> three_rows(const Field<M>& field, const std::vector<Errors>& all, Unit unit);
 inline const std::vector<std::string> head_of_three_rows{"", "as shipped", "as its manual advises",
-                                                         "best of the settings tried", "setting"};
+                                                         "best of its settings", "setting"};
 
-/// Adds these rows as a table, and below it who is left out and who has less error than the course. Alone the
-/// course has no best of its settings.
+/// Adds these rows as a table, and below it who has less error than the course. Alone the course has no best of
+/// its settings.
 template <class M>
-void tell_three(Page& page, const Field<M>& field, const std::vector<Errors>& all,
-                const std::function<std::string(double)>& words);
+void tell_three(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit);
 
 /// The same as a figure on a logarithmic axis; what is less than the margin is drawn there. None of the course
 /// alone.
 void compare(Page& page, const std::string& name, const std::string& caption, const std::vector<Errors>& all,
              const std::string& label);
 
-/// Error against microseconds a frame, one curve an entrant: of its settings those that no other of its own beats
-/// in both. Its title names who is ahead of the course somewhere, by more than a tenth of the time.
+/// Microseconds a frame against the error, one curve an entrant: of its settings those that no other of its own
+/// beats in both. Its title names who is ahead of the course somewhere.
 template <class M>
 Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, const Scene<M>& scene, int frames,
                    const std::string& label);
@@ -126,15 +147,9 @@ void compare_by_time(Page& page, const std::string& name, const std::string& cap
 /// Whether this build has no other engine: then there is nothing to compare.
 inline bool alone() { return engines::all_engines().empty(); }
 
-/// "Left out: Box3D (knows space alone). ", or "".
-template <class M>
-std::string left_out(const Field<M>& field) {
-  return field.left_out.empty() ? "" : say("Left out: @. ", field.left_out);
-}
-
 /// Who has less error than the course, by more than a hundredth and the margin: a verdict for each row; "" of the
 /// course alone.
-std::string judged(Page& page, const std::vector<Errors>& all);
+std::string judged(Page& page, const std::vector<Errors>& all, Unit unit);
 
 /// The overlap of shapes that is deepest [m].
 template <class M>

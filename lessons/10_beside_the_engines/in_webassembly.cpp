@@ -26,6 +26,7 @@ void in_webassembly(const Setting& setting, Page& page) {
     rows.push_back({engine.name, engine.version, engine.single ? "single" : "double", engine.method,
                     engine.file.substr(engine.file.rfind('/') + 1)});
   page.table({"engine", "version", "precision", "how it solves", "its settings"}, rows);
+  if (const auto out = left_out(setting, Party::webassembly); !out.empty()) page.table(head_of_left_out, out);
   chain_in_webassembly(setting, page);
   wall_in_webassembly(setting, page);
 }

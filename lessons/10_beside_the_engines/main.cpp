@@ -42,12 +42,14 @@ int main(int argc, char** argv) {
         "An engine's defaults are chosen for games: one step a frame, an overlap that is left, a few iterations. "
         "Each is a term of its error that you can compute.");
     known.emplace_back(
-        "A load on a chain needs a direct solve or coordinates that cannot part; a stack needs either many "
-        "iterations "
-        "or a direct solve.");
-    known.emplace_back(
-        "If an engine states a joint's stiffness in hertz, more substeps alone do not make it stiffer; raise the "
-        "frequency too.");
+        "A load on a chain needs a direct solve, coordinates that cannot part, or many short steps; a stack needs "
+        "many iterations or a direct solve.");
+    const auto soft = [](const auto& engine) { return engine.name == "Box2D 3" || engine.name == "Box3D"; };
+    if (std::any_of(engines::all_engines().begin(), engines::all_engines().end(), soft))
+      known.emplace_back(
+          "If an engine states a joint's stiffness in hertz, more substeps alone do not make it stiffer; raise "
+          "the "
+          "frequency too.");
     known.emplace_back("A time belongs to one machine; the ratio of two times in one run says more.");
   }
   lesson.closing(

@@ -44,9 +44,7 @@ double error_of_euler_in_the_angle(int steps, const CompoundPendulum& exact) {
   return most;
 }
 
-std::string in_radians(double error) {
-  return std::isfinite(error) ? say("@ rad", Value(error, 2)) : std::string("failed");
-}
+std::string in_radians(double error) { return in_words(error, Unit::radians); }
 
 /// Engines of one scheme have one error, whoever wrote them.
 void by_scheme(Page& page, const Scene<M>& rod, const CompoundPendulum& exact) {
@@ -83,7 +81,8 @@ void pendulums(const Setting&, Page& page) {
   const Scene<M> bob = pendulum<M>(released, length, mass), rod = hinged_rod(released, length, mass);
   const SimplePendulum exact_bob(released, length, gravity);
   const CompoundPendulum exact_rod(released, length, mass, gravity);
-  const Field<M> with_rods = field_of(bob, Kind::joints, true), with_pins = field_of(rod, Kind::joints, true);
+  const Field<M> with_rods = field_of(bob, Kind::joints, From::everywhere, most_of_a_pendulum),
+                 with_pins = field_of(rod, Kind::joints, From::everywhere, most_of_a_pendulum);
   const auto swings = outcomes_of(with_pins, [&](const auto& who) { return swing(who, rod, exact_rod); });
   const auto rods = errors_of(swings, &Swung::error);
   const auto bobs = errors_of(outcomes_of(with_rods, [&](const auto& who) { return swing(who, bob, exact_bob); }),
@@ -114,7 +113,7 @@ void pendulums(const Setting&, Page& page) {
        .right = say("Order 1 makes it about four times: @ rad instead of @ rad is @.", Value(once, 2),
                     Value(four, 2), Value(ratio, 3))});
   page.text("The rod on a pin:");
-  tell_three<M>(page, with_pins, rods, in_radians);
+  tell_three<M>(page, with_pins, rods, Unit::radians);
   compare(page, "pendulum_angle",
           say("The rod on a pin: largest error of its angle in @ s.", pendulum_frames * frame), rods,
           "error of the angle (rad)");
@@ -123,7 +122,7 @@ void pendulums(const Setting&, Page& page) {
                   [=] { return against_time(with_pins, rods, rod, pendulum_frames, "error of the angle (rad)"); });
   by_scheme(page, rod, exact_rod);
   page.text("The bob on a rod:");
-  tell_three<M>(page, with_rods, bobs, in_radians);
+  tell_three<M>(page, with_rods, bobs, Unit::radians);
   page.text(
       "Change in energy of the pinned rod, relative to the energy of the swing (positive: the engine adds "
       "energy):");

@@ -3,6 +3,8 @@
 #include "lessons/10_beside_the_engines/field.hpp"
 #include "lessons/10_beside_the_engines/steps.hpp"
 #include "lessons/exact/compound_pendulum.hpp"
+#include "lessons/scenes/boxes.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/pendulum.hpp"
 
 namespace byhand::beside {
@@ -32,18 +34,6 @@ double angle_error(const Engine& engine) {
   return turned - CompoundPendulum(angle, rod_length, rod_mass, gravity).angle(1);
 }
 
-/// "64 (this course), 16 (Box2D 2.4) and 4 (ODE direct)": the most steps or substeps of a frame that are tried.
-std::string most_steps(const std::vector<const Engine*>& everybody) {
-  std::vector<std::string> all;
-  for (const Engine* engine : everybody) {
-    int most = 1;
-    for (const engines::Setting& setting : engine->settings.joints)
-      most = std::max(most, setting.steps * static_cast<int>(setting.knobs.value("substeps", 1)));
-    all.push_back(say("@ (@)", most, engine->name));
-  }
-  return listed(all);
-}
-
 const char* home_of(const Engine& engine) {
   switch (engine.home) {
     case engines::Home::plane: return "plane";
@@ -53,9 +43,55 @@ const char* home_of(const Engine& engine) {
   return "";
 }
 
+template <std::size_t n>
+std::string numbers(const std::array<int, n>& all) {
+  std::vector<std::string> words;
+  for (const int number : all) words.push_back(std::to_string(number));
+  return listed(words);
+}
+
 }  // namespace
 
-void the_engines(const Setting&, Page& page) {
+std::vector<std::vector<std::string>> left_out(const Setting& setting, Party party) {
+  struct Out {
+    std::string engine, scenes, why;
+  };
+  std::vector<Out> all;
+  const auto ask = [&](const std::string& name, const auto& scene, From from = From::home) {
+    for (const Engine& engine : members(party)) {
+      const std::string why = why_not(engine, scene, from);
+      if (why.empty()) continue;
+      const auto same = std::find_if(all.begin(), all.end(),
+                                     [&](const Out& out) { return out.engine == engine.name && out.why == why; });
+      if (same == all.end())
+        all.push_back({engine.name, name, why});
+      else
+        same->scenes += ", " + name;
+    }
+  };
+  using S = SpaceBody;
+  const ChainOptions chain{.links = setting.links, .end_mass = setting.end_mass};
+  const bool native = party == Party::native;
+  if (native) ask("bob on a rod", pendulum<M>(1, 1.5, 2), From::everywhere);
+  ask("chain", pinned_chain<M>(chain));
+  if (native) ask("stacks", stack<M>(30));
+  ask("pyramid", pyramid<M>(setting.base));
+  ask("chain in space", pinned_chain<S>(chain));
+  if (native) ask("stacks in space", stack<S>(30));
+  ask("pyramid in space", pyramid<S>(setting.base));
+  std::vector<std::vector<std::string>> rows;
+  for (const Out& out : all) {
+    const auto same = std::find_if(rows.begin(), rows.end(),
+                                   [&](const auto& row) { return row[1] == out.scenes && row[2] == out.why; });
+    if (same == rows.end())
+      rows.push_back({out.engine, out.scenes, out.why});
+    else
+      same->front() += ", " + out.engine;
+  }
+  return rows;
+}
+
+void the_engines(const Setting& setting, Page& page) {
   const auto& all = engines::all_engines();
   page.text(
       R"(How does what you have learnt compare with the engines that people use? This lesson puts the course's scenes
@@ -84,19 +120,19 @@ void the_engines(const Setting&, Page& page) {
                     engine->file.substr(engine->file.rfind('/') + 1)});
   page.table({"engine", "version", "dimensions", "precision", "how it solves", "its settings"}, rows);
   page.text(
-      R"(*As shipped*: only what must be set is set. *As its manual advises*: the source of the advice is named beside
-      its settings, in `lessons/engines/settings/` (for this course, its lessons 8 and 9).@)",
-      alone()
-          ? ""
-          : say(R"( *Best of the settings tried*: public knobs are turned, and at each cost the best counts; each point of a
-                    chart is one setting, named in its data, timed on this machine. With joints @ are the most steps or
-                    substeps of a frame that are tried: more would serve some engines better still. A float has 24 bits;
-                    at 50 m the last of them is 4 µm, so an engine in single precision cannot close a gap further there.
-                    The comparison ends at 1 µm, and at 10⁻⁶ rad.)",
-                most_steps(everybody)));
-  page.text(
-      R"(Semismooth Newton, with which this course goes on where sweeps stall, solves for all impulses at once: it guesses
-      which bounds hold them, solves, and changes the guess until nothing changes.)");
+      R"(Semismooth Newton solves for all impulses at once, and again with other bounds active until none changes.
+      *As shipped*: only what must be set is set. *As its manual advises*: the source of the
+      advice is named beside its settings, in `lessons/engines/settings/` (for this course, its lessons 8 and 9).)");
+  if (!alone())
+    page.text(
+        R"(*Best of its settings*: each engine, this course too, is tried with @ steps a frame, with contacts @. An
+        iterative one shares out up to @ iterations a frame among them (a pendulum @, in space @; contacts @, the
+        pyramid in space @). Each point of a chart is one setting, named in its data, timed on this machine. A float
+        has 24 bits; at 50 m the last of them is 4 µm, so an engine in single precision cannot close a gap further
+        there. The comparison ends at 1 µm and at 10⁻⁶ rad.)",
+        numbers(engines::joint_steps), numbers(engines::contact_steps), engines::joint_iterations.back(),
+        most_of_a_pendulum, most_in_space, most_of_contacts, most_of_a_wall_in_space);
+  if (const auto out = left_out(setting, Party::native); !out.empty()) page.table(head_of_left_out, out);
   page.text(
       R"(An adapter that gave an engine the wrong inertia would make the engine look wrong. So each is first tested on
       what every engine must get right: free fall, and a rod on a pin, whose angle is an elliptic integral.)");

@@ -126,7 +126,7 @@ void add_bullet(std::vector<Engine>& all) {
                  .file = "lessons/engines/settings/bullet.cpp",
                  .settings = bullet_settings(),
                  .refusal = [](const Asked& asked) -> std::string {
-                   return asked.rods > 0 ? "has no rigid rod between bodies that turn" : "";
+                   return asked.rods > 0 ? "no rigid distance joint between turning bodies" : "";
                  },
                  .in_plane = build<PlaneBody>,
                  .in_space = build<SpaceBody>});

@@ -152,8 +152,8 @@ void add_bullet_multibody(std::vector<Engine>& all) {
                  .home = Home::both,
                  .settings = bullet_multibody_settings(),
                  .refusal = [](const Asked& asked) -> std::string {
-                   if (asked.rods > 0) return "has no rigid rod between bodies that turn";
-                   return asked.boxes > 0 ? "takes part with joints alone" : "";
+                   if (asked.rods > 0) return "no rigid distance joint between turning bodies";
+                   return asked.boxes > 0 ? "compared on joints only" : "";
                  },
                  .in_plane = build<PlaneBody>,
                  .in_space = build<SpaceBody>});

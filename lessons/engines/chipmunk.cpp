@@ -131,14 +131,15 @@ std::unique_ptr<World<M>> build(const Scene<M>& scene, const Knobs& knobs) {
 }  // namespace
 
 void add_chipmunk(std::vector<Engine>& all) {
-  all.push_back({.name = "Chipmunk",
-                 .version = version_text(CP_VERSION_MAJOR, CP_VERSION_MINOR, CP_VERSION_RELEASE),
-                 .method = "Gauss–Seidel on velocities, errors pushed out beside them",
-                 .file = "lessons/engines/settings/chipmunk.cpp",
-                 .home = Home::plane,
-                 .build = "Debian's is compiled with its checks on",
-                 .settings = chipmunk_settings(),
-                 .in_plane = build});
+  all.push_back(
+      {.name = "Chipmunk",
+       .version = version_text(CP_VERSION_MAJOR, CP_VERSION_MINOR, CP_VERSION_RELEASE),
+       .method = "Gauss–Seidel on velocities; position errors by separate bias velocities (as in split impulse)",
+       .file = "lessons/engines/settings/chipmunk.cpp",
+       .home = Home::plane,
+       .build = "Debian's is compiled with its checks on",
+       .settings = chipmunk_settings(),
+       .in_plane = build});
 }
 
 }  // namespace byhand::engines

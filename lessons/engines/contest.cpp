@@ -56,17 +56,33 @@ void run(const Contestant<M>& contestant, const Scene<M>& scene, int frames,
 }
 
 template <class M>
-std::vector<double> seconds_a_frame(const std::vector<Contestant<M>>& contestants, const Scene<M>& scene,
-                                    int frames, int rounds) {
-  std::vector<double> least(contestants.size(), std::numeric_limits<double>::infinity());
+std::vector<Seconds> seconds_a_frame(const std::vector<Contestant<M>>& contestants, const Scene<M>& scene,
+                                     int frames, int rounds) {
+  std::vector<Seconds> all(contestants.size(), {std::numeric_limits<double>::infinity(), 0});
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < contestants.size(); ++i) {
       const auto world = contestants[i].build(scene);
       const double begin = world->seconds();
       for (int j = 0; j < frames; ++j) run_frame(*world, contestants[i].setting.steps);
-      least[i] = std::min(least[i], (world->seconds() - begin) / frames);
+      const double seconds = (world->seconds() - begin) / frames;
+      all[i] = {std::min(all[i].least, seconds), std::max(all[i].most, seconds)};
     }
-  return least;
+  return all;
+}
+
+Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>& others) {
+  const auto quickest = [&](double Seconds::*round) {
+    double seconds = std::numeric_limits<double>::infinity();
+    for (const Point& point : points)
+      if (std::none_of(others.begin(), others.end(), [&](const Point& other) {
+            return other.seconds.least <= point.seconds.*round && other.error < equal_errors * point.error;
+          }))
+        seconds = std::min(seconds, point.seconds.least);
+    return seconds;
+  };
+  if (const double ahead = quickest(&Seconds::most); std::isfinite(ahead)) return {Rank::ahead, ahead};
+  if (const double level = quickest(&Seconds::least); std::isfinite(level)) return {Rank::level, level};
+  return {};
 }
 
 #define BYHAND_INSTANTIATE(M)                                                       \
@@ -77,7 +93,7 @@ std::vector<double> seconds_a_frame(const std::vector<Contestant<M>>& contestant
   template void run_from_rest(const Contestant<M>&, const Scene<M>&, int, int,      \
                               const std::function<bool(Scene<M>&)>&,                \
                               const std::function<void(const Scene<M>&, double)>&); \
-  template std::vector<double> seconds_a_frame(const std::vector<Contestant<M>>&, const Scene<M>&, int, int)
+  template std::vector<Seconds> seconds_a_frame(const std::vector<Contestant<M>>&, const Scene<M>&, int, int)
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceBody);
 #undef BYHAND_INSTANTIATE

@@ -35,10 +35,35 @@ void run_from_rest(const Contestant<M>& contestant, const Scene<M>& scene, int s
                    const std::function<bool(Scene<M>&)>& begin,
                    const std::function<void(const Scene<M>&, double)>& look);
 
-/// Processor seconds a frame of each contestant, the least mean of `rounds` runs of so many frames. The
-/// contestants take turns, so that what else the machine does troubles all alike. Building is not timed.
+/// Processor seconds a frame: of the quickest and the slowest of some rounds.
+struct Seconds {
+  double least = 0, most = 0;
+};
+
+/// Those of each contestant, the mean of so many frames in each round. The contestants take turns, so that what
+/// else the machine does troubles all alike. Building is not timed.
 template <class M>
-std::vector<double> seconds_a_frame(const std::vector<Contestant<M>>& contestants, const Scene<M>& scene,
-                                    int frames, int rounds);
+std::vector<Seconds> seconds_a_frame(const std::vector<Contestant<M>>& contestants, const Scene<M>& scene,
+                                     int frames, int rounds);
+
+/// A setting's time and error.
+struct Point {
+  Seconds seconds;
+  double error = 0;
+  std::string words = {};
+};
+
+/// Errors within a hundredth of each other count as equal.
+constexpr double equal_errors = 1.01;
+
+/// One entrant beside another: ahead if some point of its own has a smaller error than each point of the other
+/// that might be as fast, its slowest round against the other's quickest; level if only its quickest round would
+/// be ahead.
+enum class Rank { behind, level, ahead };
+struct Beside {
+  Rank rank = Rank::behind;
+  double seconds = 0;  // of the quickest such point
+};
+Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>& others);
 
 }  // namespace byhand::engines

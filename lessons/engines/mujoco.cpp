@@ -208,12 +208,12 @@ void add_mujoco(std::vector<Engine>& all) {
                  .home = Home::both,
                  .settings = mujoco_settings(),
                  .refusal = [](const Asked& asked) -> std::string {
-                   if (asked.rods > 0) return "has no rigid rod";
+                   if (asked.rods > 0) return "no rigid distance joint";
                    if (asked.longest_path > deepest)
-                     return "reads a file with at most " + std::to_string(deepest) + " bodies one in the other";
+                     return "reads at most " + std::to_string(deepest) + " nested bodies";
                    return asked.boxes > most_boxes
-                              ? "takes part with joints alone: contacts of Debian's version are many times slower "
-                                "than today's"
+                              ? "compared on joints only: contacts of Debian's version are many times slower than "
+                                "today's"
                               : "";
                  },
                  .in_plane = build<PlaneBody>,

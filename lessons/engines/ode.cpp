@@ -169,12 +169,12 @@ void add_ode(std::vector<Engine>& all) {
                  .in_space = build<SpaceBody, true>});
   all.push_back({.name = "ODE direct",
                  .version = "0.16",
-                 .method = "all rows at once: Lemke's method on a dense matrix",
+                 .method = "all rows at once: Dantzig's method on a dense matrix",
                  .file = "lessons/engines/settings/ode.cpp",
                  .settings = ode_direct_settings(),
                  .refusal = [](const Asked& asked) -> std::string {
                    return std::max(asked.pins, 4 * asked.boxes) > 60
-                              ? "takes the cube of the number of rows, which is a second a frame here"
+                              ? "its time grows as the cube of the number of rows"
                               : "";
                  },
                  .in_plane = build<PlaneBody, false>,

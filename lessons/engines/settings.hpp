@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -7,6 +8,8 @@
 
 // How each engine is set in lesson 10: one file an engine, in settings/. There are three rows: as the engine is
 // shipped, as its manual advises, and every other setting that is tried, of which the best at each cost counts.
+// All engines are tried with the same steps, and the iterative ones with the same iterations, shared out among
+// these.
 namespace byhand::engines {
 
 /// Knobs of an engine that are turned away from where it is shipped.
@@ -22,7 +25,8 @@ class Knobs {
   void turn(const std::string& name, T& kept) const {
     kept = static_cast<T>(value(name, static_cast<double>(kept)));
   }
-  /// "16 substeps", "iterations 40, ERP 0.8"; "as shipped" if none is turned.
+  /// "16 substeps", "RK4, 40 iterations, ERP 0.8"; "as shipped" if none is turned. A knob in capitals that is 0
+  /// or 1 is a switch.
   std::string words() const;
   const std::vector<std::pair<std::string, double>>& turned() const { return turned_; }
 
@@ -38,6 +42,24 @@ struct Setting {
   int steps = 1;            // a frame
   std::string source = {};  // of an advice
 };
+
+/// Steps a frame that each engine is tried with; it may count them as substeps.
+inline constexpr std::array joint_steps{1, 2, 4, 8, 16, 32};
+inline constexpr std::array contact_steps{1, 2, 4, 8};
+/// Iterations a frame that an iterative engine is tried with.
+inline constexpr std::array joint_iterations{32, 256, 2048};
+inline constexpr std::array contact_iterations{32, 128};
+
+/// Steps a frame and iterations in each.
+struct Shares {
+  int steps, iterations;
+};
+/// Each number of iterations a frame, shared out among each number of steps.
+std::vector<Shares> shares_of_joints();
+std::vector<Shares> shares_of_contacts();
+
+/// How often a setting goes through the constraints in a frame.
+double iterations_a_frame(const Setting& setting);
 
 /// The settings of an engine, for scenes of joints and for scenes of contacts: one shipped, one advised, and those
 /// that are tried.

@@ -57,7 +57,8 @@ void add_bars(const Chart& chart, std::vector<Column>& columns) {
 }
 
 void add_curves(const Chart& chart, std::vector<Column>& columns) {
-  const auto& curves = chart.curves;
+  std::vector<Curve> curves = chart.curves;
+  std::erase_if(curves, [](const Curve& curve) { return curve.label.empty() && curve.x.empty(); });
   const bool shared =
       std::all_of(curves.begin(), curves.end(), [&](const Curve& curve) { return curve.x == curves.front().x; });
   for (const Curve& curve : curves) {

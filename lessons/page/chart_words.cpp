@@ -68,7 +68,8 @@ std::vector<std::pair<std::string, long>> cells_of_classes(const HeatMap& map) {
 std::string chart_in_words(const Chart& chart) {
   std::string words = chart.title.empty() ? "" : chart.title + ". ";
   words += fmt::format("A chart of {} over {}.\n", axis(chart.y, "values"), axis(chart.x, "their names"));
-  for (const Curve& curve : chart.curves) words += words_of(curve);
+  for (const Curve& curve : chart.curves)
+    if (!curve.label.empty() || !curve.x.empty()) words += words_of(curve);
   if (chart.heat_map) words += words_of(*chart.heat_map);
   for (const auto& bars : chart.bars)
     for (size_t i = 0; i < bars.values.size() && i < chart.bar_names.size(); ++i)

@@ -11,17 +11,17 @@ Settings box2d_3_settings() {
                         .knobs = {{"substeps", 8}},
                         .source = "box2d.h, b2World_Step: more substeps can increase accuracy, usually 4"};
   Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
-  for (const int substeps : {4, 8, 16, 32, 64}) {
-    const double quarter = 15.0 * substeps, eighth = 7.5 * substeps;  // of the rate of substeps [Hz]
+  constexpr double quarter = 15, eighth = 7.5;  // of the rate of substeps [Hz]
+  for (const int substeps : joint_steps)
     for (const double damping : {2.0, 0.5})
       all.joints.push_back(
           {.row = Row::tuned,
-           .knobs = {{"substeps", substeps}, {"joint hertz", quarter}, {"joint damping", damping}}});
+           .knobs = {{"substeps", substeps}, {"joint hertz", quarter * substeps}, {"joint damping", damping}}});
+  for (const int substeps : contact_steps)
     for (const double damping : {10.0, 2.0})
       all.contacts.push_back(
           {.row = Row::tuned,
-           .knobs = {{"substeps", substeps}, {"contact hertz", eighth}, {"contact damping", damping}}});
-  }
+           .knobs = {{"substeps", substeps}, {"contact hertz", eighth * substeps}, {"contact damping", damping}}});
   return all;
 }
 

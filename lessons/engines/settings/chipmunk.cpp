@@ -14,15 +14,15 @@ Settings chipmunk_settings() {
                             {.row = Row::advised,
                              .knobs = {{"iterations", 20}, {"slop", 0.005}},
                              .source = "cpSpace.h: as much slop as does not show"}}};
-  for (const int steps : {1, 2, 4, 8, 16})
-    for (const int iterations : {10, 40, 160})
-      for (const double bias : {0.1, 0.5}) {
-        all.joints.push_back(
-            {.row = Row::tuned, .knobs = {{"iterations", iterations}, {"joint bias", bias}}, .steps = steps});
-        all.contacts.push_back({.row = Row::tuned,
-                                .knobs = {{"iterations", iterations}, {"slop", 0.001}, {"collision bias", bias}},
-                                .steps = steps});
-      }
+  for (const double bias : {0.1, 0.5}) {
+    for (const auto& [steps, iterations] : shares_of_joints())
+      all.joints.push_back(
+          {.row = Row::tuned, .knobs = {{"iterations", iterations}, {"joint bias", bias}}, .steps = steps});
+    for (const auto& [steps, iterations] : shares_of_contacts())
+      all.contacts.push_back({.row = Row::tuned,
+                              .knobs = {{"iterations", iterations}, {"slop", 0.001}, {"collision bias", bias}},
+                              .steps = steps});
+  }
   return all;
 }
 

@@ -14,26 +14,27 @@ const std::string layer_source = "objects.h, dWorldSetContactSurfaceLayer: 0.001
 Settings ode_quick_settings() {
   Settings all{.joints = {{}, {.row = Row::advised, .steps = 4, .source = step_source}},
                .contacts = {{}, {.row = Row::advised, .knobs = {{"layer", 0.001}}, .source = layer_source}}};
-  for (const int steps : {1, 2, 4, 8})
-    for (const int iterations : {20, 80, 320})
-      for (const double erp : {0.2, 0.8}) {
-        all.joints.push_back(
-            {.row = Row::tuned, .knobs = {{"iterations", iterations}, {"ERP", erp}}, .steps = steps});
-        all.contacts.push_back({.row = Row::tuned,
-                                .knobs = {{"iterations", iterations}, {"layer", 0.001}, {"ERP", erp}},
-                                .steps = steps});
-      }
+  for (const double erp : {0.2, 0.8}) {
+    for (const auto& [steps, iterations] : shares_of_joints())
+      all.joints.push_back(
+          {.row = Row::tuned, .knobs = {{"iterations", iterations}, {"ERP", erp}}, .steps = steps});
+    for (const auto& [steps, iterations] : shares_of_contacts())
+      all.contacts.push_back({.row = Row::tuned,
+                              .knobs = {{"iterations", iterations}, {"layer", 0.001}, {"ERP", erp}},
+                              .steps = steps});
+  }
   return all;
 }
 
 Settings ode_direct_settings() {
   Settings all{.joints = {{}, {.row = Row::advised, .steps = 4, .source = step_source}},
                .contacts = {{}, {.row = Row::advised, .knobs = {{"layer", 0.001}}, .source = layer_source}}};
-  for (const int steps : {1, 2, 4})
-    for (const double erp : {0.2, 0.8}) {
+  for (const double erp : {0.2, 0.8}) {
+    for (const int steps : joint_steps)
       all.joints.push_back({.row = Row::tuned, .knobs = {{"ERP", erp}}, .steps = steps});
+    for (const int steps : contact_steps)
       all.contacts.push_back({.row = Row::tuned, .knobs = {{"layer", 0.001}, {"ERP", erp}}, .steps = steps});
-    }
+  }
   return all;
 }
 

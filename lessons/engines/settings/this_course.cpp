@@ -1,8 +1,8 @@
 #include "lessons/engines/settings.hpp"
 
 // This course's solver by velocities: ByGraph and Baumgarte. Knobs: substeps; beta, per substep; sweeps, the most
-// in a step where the graph has loops (50); tolerance of those sweeps [m/s] (1e-5). RK4 1 and RATTLE 1: lesson 9's
-// methods for joints in place of it.
+// in a step where the graph has loops (50); tolerance of those sweeps [m/s] (1e-5). RK4 and RATTLE, switches:
+// lesson 9's methods for joints in place of it.
 namespace byhand::engines {
 
 Settings this_course_settings() {
@@ -14,16 +14,15 @@ Settings this_course_settings() {
                             {.row = Row::advised,
                              .knobs = {{"tolerance", 1e-6}},
                              .source = "lesson 9: what a tolerance leaves rocks on"}}};
-  for (const int substeps : {2, 4, 8, 16, 32, 64})
+  for (const int substeps : joint_steps) {
     for (const double beta : {0.2, 0.8})
       all.joints.push_back({.row = Row::tuned, .knobs = {{"substeps", substeps}, {"beta", beta}}});
-  for (const int substeps : {1, 2, 4, 8, 16, 32})
     for (const char* method : {"RK4", "RATTLE"})
       all.joints.push_back({.row = Row::tuned, .knobs = {{method, 1}, {"substeps", substeps}}});
-  for (const int sweeps : {5, 10, 20, 50})
-    for (const int substeps : {1, 4})
-      all.contacts.push_back(
-          {.row = Row::tuned, .knobs = {{"sweeps", sweeps}, {"tolerance", 1e-6}, {"substeps", substeps}}});
+  }
+  for (const auto& [substeps, sweeps] : shares_of_contacts())
+    all.contacts.push_back(
+        {.row = Row::tuned, .knobs = {{"sweeps", sweeps}, {"tolerance", 1e-6}, {"substeps", substeps}}});
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <set>
 
 #include "lessons/engines/contest.hpp"
 #include "lessons/exact/compound_pendulum.hpp"
@@ -232,9 +233,44 @@ TEST(ThisCourseInWebAssembly, HasAClockOfItsOwn) {
   if (engines_in_webassembly().empty()) GTEST_SKIP();
   const Scene<SpaceBody> scene = pyramid<SpaceBody>(4);
   const auto one = contestant<SpaceBody>(engines_in_webassembly().front(), {});
-  const double seconds = seconds_a_frame<SpaceBody>({one}, scene, 30, 1).front();
+  const double seconds = seconds_a_frame<SpaceBody>({one}, scene, 30, 1).front().least;
   EXPECT_GT(seconds, 1e-6);
   EXPECT_LT(seconds, 1);
+}
+
+TEST(Engines, EachIsTriedWithTheSameStepsAndIterations) {
+  std::vector<Engine> everybody = all_engines();
+  everybody.push_back(this_course());
+  const auto tried = [](const std::vector<Setting>& settings, const auto& number) {
+    std::set<double> numbers;
+    for (const Setting& setting : settings)
+      if (setting.row == Row::tuned) numbers.insert(number(setting));
+    return numbers;
+  };
+  const auto steps = [](const Setting& setting) { return setting.steps * setting.knobs.value("substeps", 1); };
+  const auto set = [](const auto& numbers) { return std::set<double>(numbers.begin(), numbers.end()); };
+  for (const Engine& engine : everybody) {
+    EXPECT_EQ(tried(engine.settings.joints, steps), set(joint_steps)) << engine.name;
+    EXPECT_EQ(tried(engine.settings.contacts, steps), set(contact_steps)) << engine.name;
+    const auto joints = tried(engine.settings.joints, iterations_a_frame),
+               contacts = tried(engine.settings.contacts, iterations_a_frame);
+    EXPECT_TRUE(joints == set(joint_iterations) || joints == set(joint_steps)) << engine.name;
+    EXPECT_TRUE(contacts == set(contact_iterations) || contacts == set(contact_steps)) << engine.name;
+  }
+}
+
+TEST(Contest, IsAheadOnlyBeyondTheSpreadOfTheTimes) {
+  const std::vector<Point> ours{{{1, 1.2}, 1e-2}, {{10, 12}, 1e-4}};
+  const auto rank = [&](const Point& point) { return at_equal_time({point}, ours).rank; };
+  EXPECT_EQ(rank({{11, 12}, 1e-3}), Rank::behind) << "slower, and more error";
+  EXPECT_EQ(rank({{11, 12}, 1e-4}), Rank::behind) << "slower, and the same error";
+  EXPECT_EQ(rank({{11, 12}, 0.995e-4}), Rank::behind) << "the same error within a hundredth";
+  EXPECT_EQ(rank({{11, 12}, 1e-5}), Rank::ahead) << "no point of ours has so little";
+  EXPECT_EQ(rank({{9.9, 10.1}, 1e-4}), Rank::level) << "ours may be as fast";
+  EXPECT_EQ(rank({{8, 9}, 1e-4}), Rank::ahead);
+  EXPECT_EQ(rank({{0.5, 0.9}, 1}), Rank::ahead) << "nothing of ours is as fast";
+  EXPECT_EQ(at_equal_time({{{9.9, 10.1}, 1e-4}, {{8, 9}, 1e-4}}, ours).seconds, 8);
+  EXPECT_EQ(at_equal_time({}, ours).rank, Rank::behind);
 }
 
 TEST(Knobs, KeepWhatIsNotTurned) {
@@ -247,7 +283,9 @@ TEST(Knobs, KeepWhatIsNotTurned) {
   EXPECT_EQ(iterations, 40);
   EXPECT_EQ(erp, 0.8);
   EXPECT_EQ(cfm, 1e-5);
-  EXPECT_EQ(knobs.words(), "iterations 40, ERP 0.8");
+  EXPECT_EQ(knobs.words(), "40 iterations, ERP 0.8");
+  EXPECT_EQ(Knobs({{"RK4", 1}, {"NNCG", 0}, {"substeps", 1}, {"tolerance", 1e-6}}).words(),
+            "RK4, 1 substep, tolerance 10⁻⁶");
   EXPECT_EQ(Knobs().words(), "as shipped");
 }
 
