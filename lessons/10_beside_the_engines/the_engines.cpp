@@ -171,10 +171,10 @@ void the_engines(const Setting& setting, Page& page) {
         "Chipmunk moves the bodies first and lets gravity act afterwards, so its box falls short by as much.");
   for (const auto& [name, fall] : falls)
     page.claim("free fall in a second, " + name, fall, "m",
-               is(exact, "½gt², within ½gt·h at one step a frame", absolute(1.001 * step_error)));
+               is(exact, "½gt², ±½gt·h", absolute(1.001 * step_error)));
   for (const Engine& engine : all)
-    page.claim("a rod on a pin after 1 s, 64 steps a frame, " + engine.name, std::abs(angle_error(engine)), "rad",
-               is_at_most(0.01, "elliptic integral, within a hundredth of a radian"));
+    page.claim("rod on a pin after 1 s, 64 steps a frame, " + engine.name, std::abs(angle_error(engine)), "rad",
+               is_at_most(0.01, "elliptic integral"));
 }
 
 }  // namespace byhand::beside

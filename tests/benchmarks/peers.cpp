@@ -22,7 +22,7 @@ VelocityStepping method() {
 template <class M>
 void compare(const char* name, const Scene<M>& scene, const std::vector<Contestant<M>>& contestants, int rounds) {
   constexpr int frames = 300;
-  const std::vector<double> times = seconds_a_frame(contestants, scene, frames, rounds);
+  const std::vector<Seconds> times = seconds_a_frame(contestants, scene, frames, rounds);
   std::printf("%s\n", name);
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     double farthest = 0, error = 0;
@@ -33,7 +33,7 @@ void compare(const char* name, const Scene<M>& scene, const std::vector<Contesta
       error = std::max(error, position_error(seen).max);
     });
     std::printf("  %-24s %8.2f us  %.2f of ours  moved %.2e m  error %.1e m\n", contestants[i].name.c_str(),
-                1e6 * times[i], times[0] / times[i], farthest, error);
+                1e6 * times[i].least, times[0].least / times[i].least, farthest, error);
   }
 }
 
