@@ -251,7 +251,7 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
 }
 
 #define BYHAND_INSTANTIATE(M)                                                                                   \
-  template Field<M> field_of(const Scene<M>&, Kind, From, double, Party);                                              \
+  template Field<M> field_of(const Scene<M>&, Kind, From, double, Party);                                       \
   template std::string why_not(const Engine&, const Scene<M>&, From);                                           \
   template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, Unit); \
   template void tell_three(Page&, const Field<M>&, const std::vector<Errors>&, Unit);                           \

@@ -169,7 +169,8 @@ void stacks(const Setting& setting, Page& page) {
       straight ones are kicked, by @ m/s at the top and in proportion to the height below, and all are watched for @ s. *Lean* is how far the
       top has moved sideways from that rest position; *sag*, how far down. A stack
       has fallen when the common centre of the boxes above some box is no longer over that box.)",
-      boxes == tallest ? say("is a stack of @", tallest) : say("are stacks of @ and of @", boxes, tallest),
+      boxes == tallest ? say("are two stacks of @", tallest)
+                       : say("are two stacks of @ and two of @", boxes, tallest),
       100 * offset, stack_kick, stack_frames * frame);
   const double needed = 0.75 * gravity * frame * frame * 30 * 30 * 30;
   const double needed_by_ten = needed / 27, whole = std::ceil(needed);
