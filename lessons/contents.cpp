@@ -82,7 +82,7 @@ const std::vector<About>& contents() {
       {.slug = "10_beside_the_engines",
        .title = "Beside the engines",
        .summary = "How to compare engines fairly: the same scenes and measures in Box2D, Box3D, Chipmunk, Bullet, "
-                  "ODE and MuJoCo.",
+                  "ODE, MuJoCo, PhysX, Jolt and Rapier.",
        .method = "velocity stepping by the scene's graph; each engine's own",
        .goals = {"compare engines fairly: the same scene, settings of equal cost, and one definition of error",
                  "say what an engine gives up for its speed, scene by scene",
