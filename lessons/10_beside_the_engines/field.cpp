@@ -231,8 +231,8 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
       else if (std::isfinite(own) && error < engines::equal_errors * own)
         level.push_back(all[i].name);
     }
-    const Quantity ours("this course", own), less("1.01 × the least of the engines", 1.01 * theirs),
-        more("1.01 × this course", 1.01 * own), least("the least of the engines", theirs);
+    const Quantity ours("ours", own), less("1.01 × their least", 1.01 * theirs), more("1.01 × ours", 1.01 * own),
+        least("their least", theirs);
     std::vector<std::string> below{"this course"};
     below.insert(below.end(), level.begin(), level.end());
     const std::string equal =
