@@ -1,30 +1,24 @@
 // A learner at a terminal.
 
-#include <chrono>
-
 #include "tests/lessons/terminal/terminal.hpp"
 #include "tests/practise/learner.hpp"
 
 namespace byhand::tests {
 namespace {
 
-TEST(Watch, JudgesEachSaveWithinTwoSecondsUntilCtrlC) {
+TEST(Watch, JudgesEachSaveUntilCtrlC) {
   const Folder state, mine;
   Terminal learner({BYHAND_PRACTISE, "8", "--folder", mine.path().string()},
                    {{"TERM", "dumb"}, {"NO_COLOR", "1"}, {"XDG_STATE_HOME", state.path().string()}});
   learner.expect("double bias(double C, double beta, double h);");
   learner.expect("Not written yet.");
   const auto save = [&](const std::string& file, const std::string& sentence) {
-    const auto begun = std::chrono::steady_clock::now();
     std::ofstream(mine / "08_bias.cpp") << text_of(8, file);
     learner.expect(sentence);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   };
-  // The best of three: other tests may run beside this one.
-  double quickest = save("mutants/minus.cpp", "b = +β/h·C");
-  quickest = std::min(quickest, save("mutants/no_step.cpp", "yours is a rate"));
-  quickest = std::min(quickest, save("mutants/squared.cpp", "yours is four times as large"));
-  EXPECT_LT(quickest, 2);
+  save("mutants/minus.cpp", "b = +β/h·C");
+  save("mutants/no_step.cpp", "yours is a rate");
+  save("mutants/squared.cpp", "yours is four times as large");
   learner.expect("08_bias.png");
   EXPECT_TRUE(std::filesystem::exists(mine / "08_bias.png"));
   learner.enter("h");
