@@ -2,11 +2,10 @@
 // with the next page.
 {
   const root = document.documentElement;
-  const wanted = ['', 'bold ', 'italic '].map(style => `${style}1em "Course Serif"`)
-    .concat('1em "Course Sans"', 'bold 1em "Course Sans"', '1em "Course Math"');
+  const wanted = [...document.fonts].filter(face => /^"?Course (Serif|Sans|Math)"?$/.test(face.family));
   const late = new Promise((_, reject) => setTimeout(reject, 1500));
   root.style.visibility = 'hidden';
-  Promise.race([Promise.all(wanted.map(font => document.fonts.load(font))), late])
+  Promise.race([Promise.all(wanted.map(face => face.load())), late])
     .catch(() => {
       for (const family of ['--serif', '--sans', '--math'])
         root.style.setProperty(family, getComputedStyle(root).getPropertyValue(family).replace(/"Course \w+",/, ''));
