@@ -29,6 +29,24 @@ double difference_from_the_solver(double mu) {
   return largest;
 }
 
+/// By how much an impulse of friction is off, where the solver's t₁ and t₂ jump: with its old numbers, and with
+/// those along the new axes [rad].
+struct Jump {
+  double kept, turned;
+};
+Jump over_the_jump() {
+  const auto tangents = [](double x) {
+    return Eigen::Matrix<double, 3, 2>(tangents_of<SpaceBody>({x, std::sqrt(1 - x * x), 0}));
+  };
+  const auto before = tangents(0.6 - 1e-12), after = tangents(0.6 + 1e-12);
+  const Eigen::Vector2d lambda(2, 1);
+  const Eigen::Vector3d impulse = before * lambda;
+  const auto off = [&](const Eigen::Vector3d& found) {
+    return std::atan2(found.cross(impulse).norm(), found.dot(impulse));
+  };
+  return {off(after * lambda), off(after * (after.transpose() * impulse))};
+}
+
 /// Pucks pushed off in all directions.
 std::vector<double> all_round() {
   std::vector<double> headings;
@@ -115,6 +133,7 @@ void two_axes(const Setting& setting, Page& page) {
   };
   const double disc = distance(pi / 4, Bounds::disc), pyramid = distance(pi / 4, Bounds::pyramid);
   const Eigen::Vector2d closely = slide(setting, {heading}, Bounds::pyramid)[0].back();
+  const Jump jump = over_the_jump();
   const double final_heading = std::atan2(closely.y(), closely.x());
 
   page.text(
@@ -165,8 +184,9 @@ void two_axes(const Setting& setting, Page& page) {
   page.text(
       R"(And the solver chooses the axes: turn t₁ and t₂ by 45°, and other pucks get farthest. Coulomb's law has one
       bound, for the length of the impulse. So the two rows are one block, solved together and scaled together. (t₁
-      and t₂ may turn from step to step. The remembered impulse stays, so a warm start needs its numbers in the new
-      axes.))");
+      and t₂ may turn from step to step; the remembered impulse stays, so a warm start needs its numbers in the new
+      axes. With its old numbers it would be @° off where n passes (0.6, 0.8, 0) and the solver's axes jump.))",
+      Value(degrees(jump.kept), 3));
   page.excerpt("lessons/07_space/two_axes.cpp", "disc");
   page.figure("where_they_stop",
               "Where half of the pucks stop, from above. Dashed, for very short steps: a square with each axis by "
@@ -195,6 +215,8 @@ void two_axes(const Setting& setting, Page& page) {
   page.claim("disc: farthest of all directions", farthest, "m", is(stop(1), "the plane's", absolute(within)));
   page.claim("plain bound of the disc from the solver's", difference_from_the_solver(setting.friction), "1",
              is(0, "bounded", absolute(1e-12)));
+  page.claim("remembered impulse in the new axes: off by", jump.turned, "rad",
+             is(0, "TᵀT₀λ₀, T the new t₁ and t₂", absolute(1e-9)));
 }
 
 }  // namespace byhand::space
