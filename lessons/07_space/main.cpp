@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   lesson.step("Two axes of friction", with(two_axes));
 
   lesson.deeper("Orientations and hinges", with(orientation));
+  lesson.deeper("Swing and twist", with(swing_and_twist));
   lesson.deeper("A gyroscope does not fall", with(gyroscope));
   lesson.hold(gyroscope_in_hand(setting));
   lesson.deeper("A book that tumbles", with(let_loose));

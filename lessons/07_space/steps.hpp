@@ -15,6 +15,7 @@ void two_axes(const Setting& setting, course::Page& page);
 /// Part of `orientation`.
 void joints_in_space(const Setting& setting, course::Page& page);
 void orientation(const Setting& setting, course::Page& page);
+void swing_and_twist(const Setting& setting, Page& page);
 void gyroscope(const Setting& setting, course::Page& page);
 void let_loose(const Setting& setting, course::Page& page);
 
