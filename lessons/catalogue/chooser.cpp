@@ -25,6 +25,12 @@ bool asks_for_reference(const std::map<Error, double>& limits) {
   });
 }
 
+/// A run from beginning to end, with what the wish asks about.
+Point whole_run(const Problem& problem, const Family& family, const Knobs& knobs, const Wish& wish,
+                bool all_errors = false) {
+  return measure(problem, family, knobs, {.reference = all_errors || asks_for_reference(wish.limits)});
+}
+
 Watch watch_of(const Problem& problem, const Wish& wish, double bound) {
   Watch watch{.seconds = screening(problem), .reference = asks_for_reference(wish.limits), .most = bound};
   // Far beyond its limit a run has told enough.
@@ -237,7 +243,7 @@ Candidate strengthened(const Problem& problem, const Wish& wish, const Candidate
   for (int times = 0;
        times < 8 && !more.reached && more.point.cost <= budget_of(wish, family) && spent.work <= until; ++times) {
     knobs.substeps = std::max(knobs.substeps + 1, knobs.substeps * 5 / 4);
-    more.point = measure(problem, family, knobs, {.reference = asks_for_reference(wish.limits)});
+    more.point = whole_run(problem, family, knobs, wish);
     spent += {1, work_of(more.point)};
     more.excess = wish.limits.empty() ? more.point[Error::drift] : excess(more.point, wish.limits);
     more.reached = more.point.outcome == Outcome::good && (wish.limits.empty() || more.excess <= 1) &&
@@ -324,8 +330,8 @@ Verification verify(const Problem& problem, const Point& point, const Wish& wish
     const int first = result.starts;
     std::vector<Point> points(static_cast<std::size_t>(std::min(batch, starts - first)));
     search.side_by_side(static_cast<int>(points.size()), [&](int i) {
-      points[static_cast<std::size_t>(i)] = measure(problem.variation(first + i, seed), *point.family, point.knobs,
-                                                    {.reference = asks_for_reference(wish.limits)});
+      points[static_cast<std::size_t>(i)] =
+          whole_run(problem.variation(first + i, seed), *point.family, point.knobs, wish);
     });
     for (const Point& one : points) {
       ++result.starts;
@@ -427,8 +433,7 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
     if (kept.size() > 3) kept.resize(3);
   }
   const auto measured_whole = [&](const Point& point) {
-    return measure(problem, *point.family, point.knobs,
-                   {.reference = search.all_errors || asks_for_reference(wish.limits)});
+    return whole_run(problem, *point.family, point.knobs, wish, search.all_errors);
   };
   std::stable_sort(found.begin(), found.end(), by_preference);
   choice.reached = !kept.empty();
@@ -452,8 +457,7 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
       continue;
     }
     // The search stopped it where it had passed a limit: its errors are those of the whole run.
-    const Point whole = measure(problem, *candidate.point.family, candidate.point.knobs,
-                                {.reference = asks_for_reference(wish.limits)});
+    const Point whole = whole_run(problem, *candidate.point.family, candidate.point.knobs, wish);
     choice.spent += {1, work_of(whole)};
     if (whole.outcome == Outcome::good)
       choice.runners_up.push_back({false, whole, excess(whole, wish.limits)});
@@ -465,8 +469,7 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   if (const Knobs& best = choice.best.point.knobs; best.substeps > 1) {
     Knobs fewer = best;
     fewer.substeps = std::max(1, std::min(best.substeps - 1, best.substeps * 9 / 10));
-    choice.coarser =
-        measure(problem, *choice.best.point.family, fewer, {.reference = asks_for_reference(wish.limits)});
+    choice.coarser = whole_run(problem, *choice.best.point.family, fewer, wish);
   }
   if (search.tighter && !wish.limits.empty()) {
     // Of the methods whose search is quick, too: what is exact costs no more for less.
