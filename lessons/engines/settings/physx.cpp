@@ -1,8 +1,13 @@
 #include "lessons/engines/settings.hpp"
 
-// PhysX. Knobs of setSolverIterationCounts: iterations (4), among which TGS divides the step, and velocity
-// iterations (1). Articulations, which have no rows for their joints, are given shorter steps.
+// PhysX. Knob of setSolverIterationCounts: iterations (4, at most 255), among which TGS divides the step.
+// Articulations, which have no rows for their joints, are given shorter steps.
 namespace byhand::engines {
+namespace {
+
+constexpr int most_iterations = 255;  // PxRigidDynamic.h
+
+}  // namespace
 
 Settings physx_settings() {
   const Setting advised{.row = Row::advised,
@@ -11,18 +16,22 @@ Settings physx_settings() {
                             "guide, Rigid Body Dynamics, Solver Iterations: more for many joints and little "
                             "joint error, and no more than 30"};
   Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
-  for (auto* list : {&all.joints, &all.contacts})
-    for (const int steps : {1, 2, 4, 8})
-      for (const int iterations : {4, 16, 64})
-        list->push_back({.row = Row::tuned, .knobs = {{"iterations", iterations}}, .steps = steps});
+  const auto add = [](std::vector<Setting>& list, const std::vector<Shares>& shares) {
+    for (const auto& [steps, iterations] : shares)
+      if (iterations <= most_iterations)
+        list.push_back({.row = Row::tuned, .knobs = {{"iterations", iterations}}, .steps = steps});
+  };
+  add(all.joints, shares_of_joints());
+  add(all.contacts, shares_of_contacts());
   return all;
 }
 
 Settings physx_articulation_settings() {
-  std::vector<Setting> joints{
-      {}, {.row = Row::advised, .steps = 2, .source = "Isaac Lab, PhysX Configuration: 1/120 s"}};
-  for (const int steps : {1, 2, 4, 8, 16, 32}) joints.push_back({.row = Row::tuned, .steps = steps});
-  return {.joints = joints, .contacts = joints};
+  const Setting advised{.row = Row::advised, .steps = 2, .source = "Isaac Lab, PhysX Configuration: 1/120 s"};
+  Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
+  for (const int steps : joint_steps) all.joints.push_back({.row = Row::tuned, .steps = steps});
+  for (const int steps : contact_steps) all.contacts.push_back({.row = Row::tuned, .steps = steps});
+  return all;
 }
 
 }  // namespace byhand::engines

@@ -9,10 +9,12 @@ Settings rapier_settings() {
       .knobs = {{"iterations", 8}},
       .source = "documentation of IntegrationParameters, example: 8 for a more accurate simulation"};
   Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
-  for (auto* list : {&all.joints, &all.contacts})
-    for (const int steps : {1, 2, 4, 8, 16})
-      for (const int iterations : {4, 16, 64})
-        list->push_back({.row = Row::tuned, .knobs = {{"iterations", iterations}}, .steps = steps});
+  const auto add = [](std::vector<Setting>& list, const std::vector<Shares>& shares) {
+    for (const auto& [steps, iterations] : shares)
+      list.push_back({.row = Row::tuned, .knobs = {{"iterations", iterations}}, .steps = steps});
+  };
+  add(all.joints, shares_of_joints());
+  add(all.contacts, shares_of_contacts());
   return all;
 }
 
