@@ -195,9 +195,9 @@ Build<M> ours() {
   };
 }
 
-std::string pins_and_boxes(const Asked& asked) { return asked.rods > 0 ? "takes part with pins and boxes" : ""; }
-std::string pins_alone(const Asked& asked) {
-  return asked.rods > 0 || asked.boxes > 0 ? "takes part with pins alone" : "";
+std::string no_rods(const Asked& asked) { return asked.rods > 0 ? "compared on pins, not on rods" : ""; }
+std::string no_rods_or_boxes(const Asked& asked) {
+  return asked.boxes > 0 ? "compared on joints only" : no_rods(asked);
 }
 
 /// Those that are installed, and the names of the others.
@@ -211,7 +211,7 @@ struct Found {
     Engine own = this_course();
     own.name += " in WebAssembly";
     own.version = runs ? "this build" : "";
-    own.refusal = pins_and_boxes;
+    own.refusal = no_rods;
     own.in_plane = ours<PlaneBody>();
     own.in_space = ours<SpaceBody>();
     add(own);
@@ -227,17 +227,17 @@ struct Found {
            .in_plane = in_host<PlaneBody>("physx", mode),
            .in_space = in_host<SpaceBody>("physx", mode)});
     };
-    add_physx("TGS", "sweeps, each over a part of the step", physx_settings(), pins_and_boxes);
-    add_physx("PGS", "sweeps", physx_settings(), pins_and_boxes);
+    add_physx("TGS", "sweeps, each over a part of the step", physx_settings(), no_rods);
+    add_physx("PGS", "sweeps", physx_settings(), no_rods);
     add_physx("articulation", "one coordinate a hinge: Featherstone's articulated bodies",
-              physx_articulation_settings(), pins_alone);
+              physx_articulation_settings(), no_rods_or_boxes);
     add({.name = "Jolt",
          .version = version_of("jolt-physics"),
          .method = "sweeps, then sweeps over positions",
          .file = "lessons/engines/settings/jolt.cpp",
          .single = true,
          .settings = jolt_settings(),
-         .refusal = pins_and_boxes,
+         .refusal = no_rods,
          .in_plane = in_host<PlaneBody>("jolt"),
          .in_space = in_host<SpaceBody>("jolt")});
     add({.name = "Rapier",
@@ -247,7 +247,7 @@ struct Found {
          .home = Home::plane,
          .single = true,
          .settings = rapier_settings(),
-         .refusal = pins_and_boxes,
+         .refusal = no_rods,
          .in_plane = in_host<PlaneBody>("rapier")});
     if (!runs) {
       for (const Engine& engine : engines) missing.push_back(engine.name);
