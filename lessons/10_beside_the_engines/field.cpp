@@ -146,17 +146,24 @@ Colour colour_of(std::size_t place) {
   return place < series ? palette::series(static_cast<int>(place)) : further[(place - series) % 2];
 }
 
-/// Who has the smaller error at equal time, from which time on, and who is level within the spread of the times.
+/// Who has the smaller error at equal time, from which time on, who is level within the spread of the times, and
+/// of the others who is quicker than all runs of the course.
 std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>& all) {
-  std::vector<std::string> ahead, level;
-  for (const auto& [name, beside] : all)
-    if (beside.rank != engines::Rank::behind)
-      (beside.rank == engines::Rank::ahead ? ahead : level)
-          .push_back(say("@ (@ µs)", name, Value(1e6 * beside.seconds, 2)));
-  if (ahead.empty() && level.empty()) return "At equal time, no engine tried here has a smaller error";
-  return say("@@@", ahead.empty() ? "" : "A smaller error at equal time: " + listed(ahead),
-             ahead.empty() || level.empty() ? "" : "; ",
-             level.empty() ? "" : (ahead.empty() ? "Level at equal time: " : "level: ") + listed(level));
+  using engines::Rank;
+  const auto those = [&](Rank rank, const std::string& words) {
+    std::vector<std::string> names;
+    for (const auto& [name, beside] : all)
+      if (beside.rank == rank) names.push_back(say("@ (@ µs)", name, Value(1e6 * beside.seconds, 2)));
+    return names.empty() ? "" : words + listed(names);
+  };
+  std::string title;
+  for (const std::string& part :
+       {those(Rank::ahead, "smaller error at equal time: "), those(Rank::level, "level at equal time: "),
+        those(Rank::quicker, "quicker than any run of this course: ")})
+    if (!part.empty()) title += (title.empty() ? "" : "; ") + part;
+  if (title.empty()) return "At equal time, no engine tried here has a smaller error";
+  title.front() = static_cast<char>(std::toupper(title.front()));
+  return title;
 }
 
 }  // namespace

@@ -71,17 +71,29 @@ std::vector<Seconds> seconds_a_frame(const std::vector<Contestant<M>>& contestan
 }
 
 Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>& others) {
-  const auto quickest = [&](double Seconds::*round) {
+  const auto quickest = [&](const auto& counts) {
     double seconds = std::numeric_limits<double>::infinity();
     for (const Point& point : points)
-      if (std::none_of(others.begin(), others.end(), [&](const Point& other) {
-            return other.seconds.least <= point.seconds.*round && other.error < equal_errors * point.error;
-          }))
-        seconds = std::min(seconds, point.seconds.least);
+      if (counts(point)) seconds = std::min(seconds, point.seconds.least);
     return seconds;
   };
-  if (const double ahead = quickest(&Seconds::most); std::isfinite(ahead)) return {Rank::ahead, ahead};
-  if (const double level = quickest(&Seconds::least); std::isfinite(level)) return {Rank::level, level};
+  const auto as_quick = [&](double time, double error) {
+    return std::any_of(others.begin(), others.end(),
+                       [=](const Point& other) { return other.seconds.least <= time && other.error <= error; });
+  };
+  const auto beats = [&](double Seconds::*round) {
+    return quickest([&](const Point& point) {
+      const double time = point.seconds.*round;
+      return as_quick(time, std::numeric_limits<double>::infinity()) &&
+             !as_quick(time, equal_errors * point.error);
+    });
+  };
+  const std::pair<Rank, double> ranks[] = {
+      {Rank::ahead, beats(&Seconds::most)},
+      {Rank::level, beats(&Seconds::least)},
+      {Rank::quicker, quickest([&](const Point& point) { return !as_quick(point.seconds.most, INFINITY); })}};
+  for (const auto& [rank, seconds] : ranks)
+    if (std::isfinite(seconds)) return {rank, seconds};
   return {};
 }
 

@@ -56,10 +56,11 @@ struct Point {
 /// Errors within a hundredth of each other count as equal.
 constexpr double equal_errors = 1.01;
 
-/// One entrant beside another: ahead if some point of its own has a smaller error than each point of the other
-/// that might be as fast, its slowest round against the other's quickest; level if only its quickest round would
-/// be ahead.
-enum class Rank { behind, level, ahead };
+/// One entrant beside another. Two are compared at a time within which both have a run: ahead if some point of its
+/// own has a smaller error than each point of the other that might be as fast, its slowest round against the
+/// other's quickest; level if only its quickest round would be ahead. Neither, but quicker, if the other has no
+/// run as fast.
+enum class Rank { behind, quicker, level, ahead };
 struct Beside {
   Rank rank = Rank::behind;
   double seconds = 0;  // of the quickest such point

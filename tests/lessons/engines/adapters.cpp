@@ -208,6 +208,17 @@ TEST(Engines, EachHasOneShippedSettingThenOneAdvisedWithItsSource) {
     }
 }
 
+TEST(Engines, ThatAreComparedOnJointsOnlySaySoInTheSameWords) {
+  for (const Engine& engine : everybody()) {
+    const std::string boxes = refusal(engine, stack(3)), rods = refusal(engine, pendulum<M>(1, 1.5, 2));
+    EXPECT_TRUE(boxes.empty() || boxes.starts_with("compared on joints only")) << engine.name << ": " << boxes;
+    EXPECT_TRUE(rods.empty() || rods == "compared on pins, not on rods" ||
+                rods.starts_with("no rigid distance joint"))
+        << engine.name << ": " << rods;
+    EXPECT_EQ(refusal(engine, hinged_rod(1, 1.5, 2)), "") << engine.name;
+  }
+}
+
 TEST(ThisCourseInWebAssembly, MovesAsItDoesInThisProgram) {
   if (engines_in_webassembly().empty()) GTEST_SKIP();
   const auto places_after_a_second = []<class Model>(const Engine& engine, const Scene<Model>& scene) {
@@ -239,8 +250,8 @@ TEST(ThisCourseInWebAssembly, HasAClockOfItsOwn) {
 }
 
 TEST(Engines, EachIsTriedWithTheSameStepsAndIterations) {
-  std::vector<Engine> everybody = all_engines();
-  everybody.push_back(this_course());
+  std::vector<Engine> all = everybody();
+  all.push_back(this_course());
   const auto tried = [](const std::vector<Setting>& settings, const auto& number) {
     std::set<double> numbers;
     for (const Setting& setting : settings)
@@ -249,7 +260,7 @@ TEST(Engines, EachIsTriedWithTheSameStepsAndIterations) {
   };
   const auto steps = [](const Setting& setting) { return setting.steps * setting.knobs.value("substeps", 1); };
   const auto set = [](const auto& numbers) { return std::set<double>(numbers.begin(), numbers.end()); };
-  for (const Engine& engine : everybody) {
+  for (const Engine& engine : all) {
     EXPECT_EQ(tried(engine.settings.joints, steps), set(joint_steps)) << engine.name;
     EXPECT_EQ(tried(engine.settings.contacts, steps), set(contact_steps)) << engine.name;
     const auto joints = tried(engine.settings.joints, iterations_a_frame),
@@ -268,9 +279,23 @@ TEST(Contest, IsAheadOnlyBeyondTheSpreadOfTheTimes) {
   EXPECT_EQ(rank({{11, 12}, 1e-5}), Rank::ahead) << "no point of ours has so little";
   EXPECT_EQ(rank({{9.9, 10.1}, 1e-4}), Rank::level) << "ours may be as fast";
   EXPECT_EQ(rank({{8, 9}, 1e-4}), Rank::ahead);
-  EXPECT_EQ(rank({{0.5, 0.9}, 1}), Rank::ahead) << "nothing of ours is as fast";
   EXPECT_EQ(at_equal_time({{{9.9, 10.1}, 1e-4}, {{8, 9}, 1e-4}}, ours).seconds, 8);
   EXPECT_EQ(at_equal_time({}, ours).rank, Rank::behind);
+}
+
+TEST(Contest, ComparesErrorsAtATimeWithinWhichBothHaveARun) {
+  const std::vector<Point> ours{{{1, 1.2}, 1e-2}, {{10, 12}, 1e-4}};
+  const Point quick{{0.5, 0.9}, 1e-5}, no_slower{{0.9, 1.1}, 1e-3}, good{{4, 5}, 1e-3};
+  const auto beside = [&](const std::vector<Point>& points) { return at_equal_time(points, ours); };
+  EXPECT_EQ(beside({quick}).rank, Rank::quicker) << "ours has no run as fast, however small its error";
+  EXPECT_EQ(beside({no_slower}).rank, Rank::ahead) << "ours may be as fast";
+  EXPECT_EQ(beside({{{0.9, 1.1}, 1}}).rank, Rank::behind) << "nor is it quicker then";
+  EXPECT_EQ(beside({quick, good}).rank, Rank::ahead);
+  EXPECT_EQ(beside({quick, good}).seconds, 4) << "and from there on";
+  EXPECT_EQ(at_equal_time(ours, {quick}).rank, Rank::behind) << "the same from the other side";
+  EXPECT_EQ(at_equal_time(ours, {good}).rank, Rank::ahead) << "with its slower run, at a time of both";
+  EXPECT_EQ(at_equal_time(ours, {good}).seconds, 10);
+  EXPECT_EQ(at_equal_time({good}, {}).rank, Rank::quicker) << "of none there is no error to compare";
 }
 
 TEST(Knobs, KeepWhatIsNotTurned) {
