@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 namespace byhand {
 namespace {
@@ -227,29 +228,40 @@ Candidate most_accurate(const Problem& problem, const Family& family, const Wish
   return best;
 }
 
-/// After a start that a candidate did not keep: the same method tuned anew for that start, or with more substeps.
-Candidate strengthened(const Problem& problem, const Wish& wish, const Candidate& candidate, const Problem& start,
-                       double most_work, Spent& spent) {
+/// What a candidate's next attempt has to keep before it is verified from fresh starts: those that it has missed.
+struct Attempts {
+  int left = most_attempts;
+  std::vector<Problem> missed;
+};
+
+/// A candidate with so few more substeps that it keeps its own start and those it has missed; or, if that costs
+/// more than `worth_a_search`, the same method tuned anew for the last of those, where it is cheaper.
+Candidate strengthened(const Problem& problem, const Wish& wish, const Candidate& candidate,
+                       const std::vector<Problem>& missed, double most_work, Spent& spent) {
   const Family& family = *candidate.point.family;
-  const double until = spent.work + most_work;
-  if (!wish.limits.empty()) {
-    const double most = std::min(10 * candidate.point.cost, budget_of(wish, family));
-    const Candidate tuned = cheapest(start, family, wish, most, &spent, most_work);
-    if (tuned.reached && tuned.point.cost > candidate.point.cost) return tuned;
-  }
+  const double until = spent.work + most_work, budget = budget_of(wish, family);
   Candidate more = candidate;
-  Knobs knobs = candidate.point.knobs;
   more.reached = false;
-  for (int times = 0;
-       times < 8 && !more.reached && more.point.cost <= budget_of(wish, family) && spent.work <= until; ++times) {
-    knobs.substeps = std::max(knobs.substeps + 1, knobs.substeps * 5 / 4);
-    more.point = whole_run(problem, family, knobs, wish);
+  const auto kept = [&](const Problem& start) {
+    more.point = whole_run(start, family, more.point.knobs, wish);
     spent += {1, work_of(more.point)};
     more.excess = wish.limits.empty() ? more.point[Error::drift] : excess(more.point, wish.limits);
-    more.reached = more.point.outcome == Outcome::good && (wish.limits.empty() || more.excess <= 1) &&
-                   more.point.cost <= budget_of(wish, family);
+    return more.point.outcome == Outcome::good && (wish.limits.empty() || more.excess <= 1) &&
+           more.point.cost <= budget;
+  };
+  for (int parts = 1; parts <= 128 && !more.reached && more.point.cost <= budget && spent.work <= until;
+       parts *= 2) {
+    const int from = candidate.point.knobs.substeps;
+    more.point.knobs.substeps = std::max(more.point.knobs.substeps + 1, from + from * parts / 16);
+    // The hardest first.
+    more.reached = std::all_of(missed.rbegin(), missed.rend(), kept) && kept(problem);
   }
-  return more;
+  constexpr double worth_a_search = 1.15;  // times the candidate's cost
+  if (wish.limits.empty() || (more.reached && more.point.cost <= worth_a_search * candidate.point.cost))
+    return more;
+  const double most = std::min({more.reached ? more.point.cost : INFINITY, 10 * candidate.point.cost, budget});
+  const Candidate tuned = cheapest(missed.back(), family, wish, most, &spent, until - spent.work);
+  return tuned.reached && tuned.point.cost > candidate.point.cost ? tuned : more;
 }
 
 /// Of candidates that reach the wish the cheapest that keep it from all starts over the whole time, by their
@@ -259,7 +271,7 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
                                 int starts, std::size_t wanted, const Search& search, double until,
                                 Choice& choice) {
   std::vector<Candidate> kept;
-  std::vector<int> attempts(found.size(), most_attempts);
+  std::vector<Attempts> attempts(found.size());
   while (kept.size() < wanted) {
     Candidate* next = nullptr;
     for (Candidate& candidate : found)
@@ -271,7 +283,7 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
     }
     const double run = next->point.cost * problem.scene().duration / frame;
     // From other starts after each failure: none of those for which it was tuned.
-    int& left = attempts[static_cast<std::size_t>(next - found.data())];
+    auto& [left, missed] = attempts[static_cast<std::size_t>(next - found.data())];
     const int seed = 1 + most_attempts - left;
     const Verification verification = verify(problem, next->point, wish, starts, search, seed, true);
     choice.spent.runs += verification.starts;
@@ -282,8 +294,9 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
       next->reached = false;
       continue;
     }
-    *next = strengthened(problem, wish, *next, problem.variation(verification.worst, seed),
-                         std::min(search.most / 20, until - choice.spent.work), choice.spent);
+    missed.push_back(problem.variation(verification.worst, seed));
+    *next = strengthened(problem, wish, *next, missed, std::min(search.most / 20, until - choice.spent.work),
+                         choice.spent);
     next->reached = next->reached && --left > 0;
   }
   return kept;
@@ -325,8 +338,8 @@ Candidate cheapest(const Problem& problem, const Family& family, const Wish& wis
 Verification verify(const Problem& problem, const Point& point, const Wish& wish, int starts, const Search& search,
                     int seed, bool until_one_fails) {
   Verification result{.seconds = problem.scene().duration};
-  // First a few, for most that fail do so soon.
-  for (int batch = until_one_fails ? 6 : starts; result.starts < starts; batch = starts) {
+  // First a few, because most that fail do so soon.
+  for (int batch = until_one_fails ? 6 : starts; result.starts < starts; batch *= 2) {
     const int first = result.starts;
     std::vector<Point> points(static_cast<std::size_t>(std::min(batch, starts - first)));
     search.side_by_side(static_cast<int>(points.size()), [&](int i) {
@@ -466,11 +479,6 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   }
   if (!choice.reached) return choice;
 
-  if (const Knobs& best = choice.best.point.knobs; best.substeps > 1) {
-    Knobs fewer = best;
-    fewer.substeps = std::max(1, std::min(best.substeps - 1, best.substeps * 9 / 10));
-    choice.coarser = whole_run(problem, *choice.best.point.family, fewer, wish);
-  }
   if (search.tighter && !wish.limits.empty()) {
     // Of the methods whose search is quick, too: what is exact costs no more for less.
     std::vector<const Family*> able;
@@ -482,25 +490,44 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
       for (auto& [error, limit] : tight.limits) limit *= share;
       tight.budget = nullptr;
       if (choice.spent.work > until) return {};
-      const Verification as_it_is = verify(problem, choice.best.point, tight, starts, search, 1, true);
-      choice.spent += {as_it_is.starts, as_it_is.starts * work_of(choice.best.point)};
-      if (as_it_is.kept()) return choice.best.point;
+      if (choice.verified.excess <= share) return choice.best.point;  // from the starts that it was verified from
       std::vector<Candidate> again(able.size());
-      std::vector<Spent> work(able.size());
-      search.side_by_side(static_cast<int>(able.size()), [&](int i) {
-        const auto at = static_cast<std::size_t>(i);
-        again[at] = cheapest(problem, *able[at], tight, 100 * choice.best.point.cost, &work[at],
-                             std::min(search.most / 20, std::max(0.0, until - choice.spent.work) / 2));
-      });
-      for (const Spent& one : work) choice.spent += one;
+      // A search that is allowed much takes long, and finds nothing cheaper than one that found something.
+      for (const double times : {4.0, 100.0}) {
+        std::vector<Spent> work(able.size());
+        search.side_by_side(static_cast<int>(able.size()), [&](int i) {
+          const auto at = static_cast<std::size_t>(i);
+          again[at] = cheapest(problem, *able[at], tight, times * choice.best.point.cost, &work[at],
+                               std::min(search.most / 20, std::max(0.0, until - choice.spent.work) / 2));
+        });
+        for (const Spent& one : work) choice.spent += one;
+        if (std::any_of(again.begin(), again.end(), [](const Candidate& one) { return one.reached; })) break;
+      }
       const Verification of_best = choice.verified;
       const auto best = verified(problem, tight, again, starts, 1, search, until, choice);
-      choice.verified = of_best;
+      const Verification of_tight = std::exchange(choice.verified, of_best);
       if (best.empty()) return {};
-      return measured_whole(best.front().point);
+      const Point point = measured_whole(best.front().point);
+      if (point.cost < choice.best.point.cost && point.cost <= budget_of(wish, *point.family)) {
+        // It keeps the wish itself for less, which its search had missed.
+        std::erase_if(choice.runners_up, [&](const Candidate& one) { return one.point.family == point.family; });
+        if (point.family != choice.best.point.family)
+          choice.runners_up.insert(choice.runners_up.begin(), choice.best);
+        choice.best = {true, point, excess(point, wish.limits)};
+        choice.verified = of_tight;
+        choice.verified.excess *= share;
+        choice.robust = point;
+      }
+      return point;
     };
     choice.robust = tighter(0.5, 0.85 * search.most);
     choice.finer = tighter(0.1, 0.95 * search.most);
+    if (choice.finer && choice.robust && choice.finer->cost < choice.robust->cost) choice.robust = choice.finer;
+  }
+  if (const Knobs& best = choice.best.point.knobs; best.substeps > 1) {
+    Knobs fewer = best;
+    fewer.substeps = std::max(1, std::min(best.substeps - 1, best.substeps * 9 / 10));
+    choice.coarser = whole_run(problem, *choice.best.point.family, fewer, wish);
   }
   auto limits = wish.limits;
   if (limits.empty()) limits[Error::drift] = 2 * choice.best.point[Error::drift];
