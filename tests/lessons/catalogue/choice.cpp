@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,6 +20,9 @@ namespace choice_test {
 using namespace byhand;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
+
+const Values kicked{{"kick", 0.02}};
+Values kicked_with(const char* name, double value) { return {{"kick", 0.02}, {name, value}}; }
 
 Problem short_chain() { return Problem("chain", {{"links", 4}, {"end_mass", 20}}); }
 
@@ -101,6 +105,23 @@ TEST(Measure, ResidualOfContactsFallsWithSweeps) {
                    {.passes = sweeps, .cure = Cure::baumgarte, .strength = 0.05})[Error::contact];
   };
   EXPECT_LT(residual(64), 0.1 * residual(4));
+}
+
+TEST(Measure, CountsACostlyFirstFrameOnce) {
+  // In its first frame the exact solve of a stack takes five times what it takes later on.
+  const Problem stack("stack", kicked_with("boxes", 15));
+  const Family& direct = family_named("direct");
+  const Knobs knobs = with_cure({}, Cure::baumgarte);
+  const auto cost = [&](double seconds, double most) {
+    return measure(stack, direct, knobs, {.seconds = seconds, .reference = false, .most = most});
+  };
+  const Point whole = cost(5, INFINITY), first = cost(frame, INFINITY);
+  ASSERT_EQ(whole.outcome, Outcome::good);
+  EXPECT_GT(first.cost, 3 * whole.cost);
+  EXPECT_EQ(cost(5, 1.5 * whole.cost).outcome, Outcome::good);
+  const Point dear = cost(5, 0.8 * whole.cost);
+  EXPECT_EQ(dear.outcome, Outcome::too_slow);
+  EXPECT_LT(dear.seconds, 0.1);
 }
 
 TEST(Measure, GivesTheSameNumbersTwice) {
@@ -263,6 +284,24 @@ TEST(Chooser, OffersForATenthOfALimitWhatItAnswersForThatTenth) {
   EXPECT_LE(choice.finer->cost, 1.05 * choose(stack, {.limits = {{Error::drift, 5e-4}}}, few).best.point.cost);
 }
 
+TEST(Chooser, AsksNoMoreForAnAnswerThanForATenthOfItsLimit) {
+  const Problem stack("stack", kicked_with("boxes", 15));
+  const Choice choice = choose(stack, {.limits = {{Error::drift, 0.02}}}, {.starts = 8});
+  ASSERT_TRUE(choice.reached && choice.robust && choice.finer);
+  EXPECT_LE(choice.best.point.cost, choice.robust->cost);
+  EXPECT_LE(choice.robust->cost, choice.finer->cost);
+}
+
+TEST(Chooser, SharesTheRunsOfItsThreeAnswers) {
+  // One step of generalised coordinates keeps any limit on drift: its 59 starts tell of a half and a tenth, too.
+  const Problem chain = short_chain();
+  const Wish wish{.limits = {{Error::drift, 1e-2}}};
+  const Choice all = choose(chain, wish), one = choose(chain, wish, {.tighter = false});
+  ASSERT_TRUE(all.finer);
+  EXPECT_EQ(all.finer->knobs, one.best.point.knobs);
+  EXPECT_EQ(all.spent.runs, one.spent.runs);
+}
+
 TEST(Chooser, WatchesWhatMissesALimitToItsEnd) {
   const Problem chain = short_chain();
   const Choice choice = choose(chain, {.limits = {{Error::drift, 1e-3}}});
@@ -313,9 +352,6 @@ void PrintTo(const Request& one, std::ostream* out) {
   for (const auto& [error, limit] : one.limits) *out << ' ' << name_of(error) << ':' << limit;
 }
 
-const Values kicked{{"kick", 0.02}};
-Values kicked_with(const char* name, double value) { return {{"kick", 0.02}, {name, value}}; }
-
 const std::vector<Request> requests{
     // those of the review
     {"stack", {{"kick", 0.02}, {"top_mass", 1000}}, {{Error::drift, 0.01}}},
@@ -351,6 +387,20 @@ const std::vector<Request> requests{
     {"pyramid", kicked_with("base", 4), {{Error::drift, 1e-3}}},
     {"incline", {}, {{Error::trajectory, 1e-2}}},
     {"incline", {{"angle", -30}, {"speed", 0}}, {{Error::drift, 1e-3}}},
+    {"pendulum", {{"angle", 120}}, {{Error::drift, 1e-2}, {Error::trajectory, 0.1}}},
+    {"compound_pendulum", {}, {{Error::drift, 1e-4}}},
+    {"compound_pendulum", {}, {{Error::energy, 1e-3}}},
+    {"double_pendulum", {{"end_mass", 10}}, {{Error::drift, 1e-4}, {Error::energy, 0.02}}},
+    {"chain", {{"links", 3}, {"end_mass", 1000}}, {{Error::drift, 5e-3}}},
+    {"chain", {{"links", 30}, {"end_mass", 3}}, {{Error::drift, 5e-3}}},
+    {"four_bar", {{"coupler_mass", 10}}, {{Error::energy, 0.02}}},
+    {"spherical_pendulum", {}, {{Error::drift, 1e-2}}},
+    {"conical_pendulum", {}, {{Error::momentum, 1e-4}}},
+    {"top", {{"spin", 40}}, {{Error::energy, 1e-2}}},
+    {"stack", kicked_with("boxes", 6), {{Error::drift, 2e-3}}},
+    {"stack", {{"kick", 0.02}, {"boxes", 3}, {"top_mass", 30}}, {{Error::drift, 5e-3}}},
+    {"pyramid", kicked_with("base", 3), {{Error::drift, 0.01}}},
+    {"incline", {{"angle", -20}}, {{Error::trajectory, 1e-3}}},
 };
 
 /// A third of them, but in the long run.
@@ -361,8 +411,13 @@ std::vector<Request> drawn_requests() {
   return drawn;
 }
 
-class ThirtyRequests : public testing::TestWithParam<Request> {};
-INSTANTIATE_TEST_SUITE_P(Chooser, ThirtyRequests, testing::ValuesIn(drawn_requests()));
+/// Those of the review and forty others.
+class Requests : public testing::TestWithParam<Request> {
+ protected:
+  static void TearDownTestSuite() { EXPECT_LE(below_95_percent, 2); }
+  static inline int below_95_percent = 0;  // of fresh starts
+};
+INSTANTIATE_TEST_SUITE_P(Chooser, Requests, testing::ValuesIn(drawn_requests()));
 
 /// The cheapest of many choices drawn without regard to any law, that keeps the limits and costs at most `most`,
 /// and does so from four times as many initial conditions, so that it is not marginal.
@@ -393,7 +448,7 @@ std::optional<Point> brute_force(const Problem& problem, const std::map<Error, d
   return best;
 }
 
-TEST_P(ThirtyRequests, NeverFailAndAreWithinAThirdOfTheCheapestThatBruteForceFinds) {
+TEST_P(Requests, NeverFailAndAreWithinAThirdOfTheCheapestThatBruteForceFinds) {
   const Problem problem(GetParam().scene, GetParam().values);
   const auto& limits = GetParam().limits;
   const Choice choice = choose(problem, {.limits = limits});
@@ -402,10 +457,12 @@ TEST_P(ThirtyRequests, NeverFailAndAreWithinAThirdOfTheCheapestThatBruteForceFin
   RecordProperty("chosen", best.described());
   EXPECT_TRUE(choice.verified.kept()) << choice.verified.first_failure;
   EXPECT_LE(excess(measure(problem, *best.family, best.knobs), limits), 1) << best.described();
-  // From initial conditions that the chooser has not seen, too: of 59 a certified answer may fail few.
-  const Verification other =
-      verify(problem, best, {.limits = limits}, choice.verified.certified() ? 60 : 5, {}, 1000);
-  EXPECT_GE(other.within, 0.95 * other.starts) << other.first_failure;
+  // From initial conditions that the chooser has not seen, too.
+  const int fresh = !choice.verified.certified() ? 5 : tests::is_long_run() ? 200 : 60;
+  const Verification other = verify(problem, best, {.limits = limits}, fresh, {}, 1000);
+  RecordProperty("kept", fmt::format("{} of {}", other.within, fresh));
+  below_95_percent += other.within < 0.95 * fresh;
+  EXPECT_GE(other.within, 0.9 * fresh) << other.first_failure;
   if (const auto cheaper = brute_force(problem, limits, best.cost / 1.3, choice.verified.starts))
     ADD_FAILURE() << best.described() << " costs " << best.cost << ", " << cheaper->described() << " "
                   << cheaper->cost;
