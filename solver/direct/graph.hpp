@@ -81,8 +81,7 @@ struct Elimination {
   int edge_rows = 0;             // the rows of all edges but the inert ones
   int values = 0, unknowns = 0;  // the count of numbers in all blocks, of rows of all nodes
   long long multiplications = 0, multiplications_again = 0;  // to factor and solve; to solve again
-  long long planned =
-      0;  // operations of this planning: numbers that its lists were joined from, and blocks placed
+  long long planned = 0;  // work of this planning, counted in numbers read from its lists
 };
 
 /// Plans by minimum degree with first-in-first-out ties, which takes a chain from both ends. A body with at most
