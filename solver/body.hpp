@@ -59,8 +59,7 @@ requires(M::angular > 0) InverseMass<M> with_mass(double mass, const Angular<M>&
 template <class M>
 InverseMass<M> ball(double mass, double radius) {
   require_positive("radius", radius, "m");
-  const double share = M::linear == 2 ? 0.5 : 0.4;
-  return with_mass<M>(mass, Angular<M>::Constant(share * mass * radius * radius));
+  return with_mass<M>(mass, Angular<M>::Constant((M::linear == 2 ? 0.5 : 0.4) * mass * radius * radius));
 }
 
 /// A uniform box with full side lengths `sides` [m].

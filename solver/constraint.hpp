@@ -144,15 +144,14 @@ class Store final : public Constraints<M, Kind> {
   }
   void write_bias_accelerations(const Run& run, const std::vector<Pose<M, Jet>>& paths, const System<M>& system,
                                 std::vector<double>& result) const override {
-    for (const BlockOfKind& block : part<type>(system.blocks, run)) {
-      Eigen::Map<Rows<K>> J_dot_V(&result[block.row]);
-      J_dot_V = bias_acceleration<Kind, M>(this->all[block.constraint], paths[block.body1], paths[block.body2]);
-    }
+    for (const BlockOfKind& block : part<type>(system.blocks, run))
+      Eigen::Map<Rows<K>>{&result[block.row]} =
+          bias_acceleration<Kind, M>(this->all[block.constraint], paths[block.body1], paths[block.body2]);
   }
   void write_value(int index, const Bodies<M>& bodies, double* value) const override {
     const Kind& constraint = this->all[index];
-    Eigen::Map<Rows<K>> C(value);
-    C = constraint.template value<double>(bodies.pose[constraint.at.body1], bodies.pose[constraint.at.body2]);
+    Eigen::Map<Rows<K>>{value} =
+        constraint.template value<double>(bodies.pose[constraint.at.body1], bodies.pose[constraint.at.body2]);
   }
   void linearise(const Bodies<M>& bodies, BlockHeader& block, double* value) const override {
     write_value(block.constraint, bodies, value);

@@ -108,13 +108,9 @@ struct Run {
 };
 
 /// The elements of a run in a vector for its type.
-template <class Element>
-std::span<Element> part(std::vector<Element>& all, const Run& run) {
-  return {all.data() + run.first, static_cast<std::size_t>(run.count)};
-}
-template <class Element>
-std::span<const Element> part(const std::vector<Element>& all, const Run& run) {
-  return {all.data() + run.first, static_cast<std::size_t>(run.count)};
+template <class Vector>
+auto part(Vector& all, const Run& run) {
+  return std::span(all.data() + run.first, static_cast<std::size_t>(run.count));
 }
 /// The elements of a run in PerBlock storage.
 template <std::size_t type, class Storage>
