@@ -178,11 +178,10 @@ class Store final : public Constraints<M, Kind> {
                     System<M>& system) {
     const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];
     const int row = block.row;
-    if constexpr (positions > 0) {
-      const Rows<K> C = constraint.template value<double>(pose1, pose2);
-      for (int k = 0; k < positions; ++k) system.C[row + k] = C[k];
-    }
+    Rows<K> C;
+    if constexpr (positions > 0) C = constraint.template value<double>(pose1, pose2);
     write_jacobian(constraint, bodies, block);
+    for (int k = 0; k < positions; ++k) system.C[row + k] = C[k];  // after J, which turns the same arms
     if constexpr (requires { constraint.soft(pose1, pose2, h); }) {
       const Soft soft = constraint.soft(pose1, pose2, h);
       system.gamma[row] = soft.gamma;

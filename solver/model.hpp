@@ -83,9 +83,9 @@ auto cross(const Eigen::MatrixBase<R>& r, const Eigen::MatrixBase<V>& n) {
     return Eigen::Matrix<T, 3, 1>(r.cross(n));
 }
 
-/// A body's arm [m, body frame] turned into the world by its pose.
+/// A body's arm [m, body frame] turned into the world by its pose. Always inlined, so that C and J share it.
 template <class M, class T>
-Arm<M, T> in_world(const Pose<M, T>& pose, const Arm<M>& arm) {
+[[gnu::always_inline]] inline Arm<M, T> in_world(const Pose<M, T>& pose, const Arm<M>& arm) {
   if constexpr (M::angular == 0)
     return {};
   else
