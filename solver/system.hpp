@@ -76,12 +76,13 @@ inline constexpr int most_rows = []<int... K, Bound... B>(std::tuple<std::vector
 (static_cast<PerBlock<M, BlockTag>*>(nullptr));
 
 /// Calls f(std::integral_constant) with the index of a block type among the vectors of PerBlock.
-template <class M, class F>
+template <class M, int first = 0, int last = std::tuple_size_v<PerBlock<M, BlockTag>>, class F>
 void for_type(int type, F&& f) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (void)((static_cast<int>(I) == type && (f(std::integral_constant<std::size_t, I>()), true)) || ...);
-  }
-  (std::make_index_sequence<std::tuple_size_v<PerBlock<M, BlockTag>>>());
+  constexpr int middle = (first + last) / 2;
+  if constexpr (middle == first)
+    f(std::integral_constant<std::size_t, first>());
+  else
+    type < middle ? for_type<M, first, middle>(type, f) : for_type<M, middle, last>(type, f);
 }
 
 /// The index of blocks of K rows with bound B among the vectors of PerBlock.
