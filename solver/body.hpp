@@ -76,8 +76,9 @@ InverseMass<M> box(double mass, const Linear<M>& sides) {
 /// I⁻¹ of (18) in the world [1/(kg m²)]: a number in the plane. In space it belongs to the body and turns with it:
 /// R I⁻¹ Rᵀ.
 template <class M>
-Eigen::Matrix<double, M::angular, M::angular> inverse_inertia(const InverseMass<M>& inverse_mass,
-                                                              const Pose<M>& pose) {
+using InverseInertia = Eigen::Matrix<double, M::angular, M::angular>;
+template <class M>
+InverseInertia<M> inverse_inertia(const InverseMass<M>& inverse_mass, const Pose<M>& pose) {
   if constexpr (M::angular == 3) {
     const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
     return R * inverse_mass.angular.asDiagonal() * R.transpose();
@@ -85,13 +86,15 @@ Eigen::Matrix<double, M::angular, M::angular> inverse_inertia(const InverseMass<
     return inverse_mass.angular;
   }
 }
+template <class M>
+const InverseInertia<M>& inverse_inertia(const InverseMass<M>&, const InverseInertia<M>& known) {
+  return known;
+}
 
 /// I in the world [kg m²].
 template <class M>
-Eigen::Matrix<double, M::angular, M::angular> inertia(const InverseMass<M>& inverse_mass, const Pose<M>& pose) {
-  InverseMass<M> mass = inverse_mass;
-  mass.angular = inverse_mass.angular.cwiseInverse();
-  return inverse_inertia(mass, pose);
+InverseInertia<M> inertia(const InverseMass<M>& inverse_mass, const Pose<M>& pose) {
+  return inverse_inertia(InverseMass<M>{inverse_mass.linear, inverse_mass.angular.cwiseInverse()}, pose);
 }
 
 /// M⁻¹ of (18) times a force and torque [N, N m] or an impulse and angular impulse [N s, N m s].

@@ -155,7 +155,7 @@ class Store final : public Constraints<M, Kind> {
   }
   void linearise(const Bodies<M>& bodies, BlockHeader& block, double* value) const override {
     write_value(block.constraint, bodies, value);
-    write_jacobian(this->all[block.constraint], bodies, static_cast<BlockOfKind&>(block));
+    write_jacobian(this->all[block.constraint], bodies, bodies.pose, static_cast<BlockOfKind&>(block));
   }
 
  private:
@@ -163,14 +163,12 @@ class Store final : public Constraints<M, Kind> {
     if constexpr (requires { constraint.softness; }) return constraint.softness;
     return 0;
   }
-  static void write_jacobian(const Kind& constraint, const Bodies<M>& bodies, BlockOfKind& block) {
-    const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];
-    // Constructed in place: assignment would store J and W number by number and at once load them in pairs, which
-    // stalls the processor.
+  static void write_jacobian(const Kind& constraint, const Bodies<M>& bodies, auto& turned, BlockOfKind& block) {
+    // Constructed in place: assignment would store single numbers and at once load pairs, which stalls.
     using J = Jacobian<M, K>;
-    new (&block.J) J(constraint.jacobian(pose1, pose2));
-    new (&block.W) J(times_inverse_mass(block.J, bodies.inverse_mass[block.body1], pose1,
-                                        bodies.inverse_mass[block.body2], pose2));
+    new (&block.J) J(constraint.jacobian(bodies.pose[block.body1], bodies.pose[block.body2]));
+    new (&block.W) J(times_inverse_mass(block.J, bodies.inverse_mass[block.body1], turned[block.body1],
+                                        bodies.inverse_mass[block.body2], turned[block.body2]));
   }
 
   //! [write_rows]
@@ -180,7 +178,7 @@ class Store final : public Constraints<M, Kind> {
     const int row = block.row;
     Rows<K> C;
     if constexpr (positions > 0) C = constraint.template value<double>(pose1, pose2);
-    write_jacobian(constraint, bodies, block);
+    write_jacobian(constraint, bodies, system.inverse_inertia, block);
     for (int k = 0; k < positions; ++k) system.C[row + k] = C[k];  // after J, which turns the same arms
     if constexpr (requires { constraint.soft(pose1, pose2, h); }) {
       const Soft soft = constraint.soft(pose1, pose2, h);

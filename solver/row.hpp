@@ -9,24 +9,24 @@
 namespace byhand {
 
 //! [18]
-/// M⁻¹Jᵀ by (18), one row for each row of J, without a matrix M⁻¹: four numbers or small blocks.
-template <class M, int K>
-Jacobian<M, K> times_inverse_mass(const Jacobian<M, K>& J, const InverseMass<M>& m1, const Pose<M>& pose1,
-                                  const InverseMass<M>& m2, const Pose<M>& pose2) {
+/// M⁻¹Jᵀ by (18), row for row, without a matrix M⁻¹. `turned` is a body's pose, or its I⁻¹ in the world.
+template <class M, int K, class Turned>
+Jacobian<M, K> times_inverse_mass(const Jacobian<M, K>& J, const InverseMass<M>& m1, const Turned& turned1,
+                                  const InverseMass<M>& m2, const Turned& turned2) {
   Jacobian<M, K> W;
-  const auto divide_side = [&](int side, const InverseMass<M>& mass, const Pose<M>& pose) {
+  const auto divide_side = [&](int side, const InverseMass<M>& mass, const Turned& turned) {
     for (int k = 0; k < K; ++k)
       for (int i = 0; i < M::linear; ++i) W.matrix(k, side + i) = mass.linear * J.matrix(k, side + i);
     if constexpr (M::angular > 0) {
-      const auto inverse = inverse_inertia(mass, pose);
+      const auto& inverse = inverse_inertia(mass, turned);
       for (int k = 0; k < K; ++k)
         for (int i = 0; i < M::angular; ++i)
           W.matrix(k, side + M::linear + i) =
               sum_of_products<M::angular>(&J.matrix(k, side + M::linear), &inverse(0, i));
     }
   };
-  divide_side(0, m1, pose1);
-  divide_side(M::dof, m2, pose2);
+  divide_side(0, m1, turned1);
+  divide_side(M::dof, m2, turned2);
   return W;
 }
 //! [18]

@@ -128,8 +128,9 @@ struct System {
   using BlockOf = Block<M, K, B>;
 
   PerBlock<M, BlockOf> blocks;
-  std::vector<Run> runs;                     // in solve order
-  std::vector<InverseMass<M>> inverse_mass;  // by body
+  std::vector<Run> runs;                           // in solve order
+  std::vector<InverseMass<M>> inverse_mass;        // by body
+  std::vector<InverseInertia<M>> inverse_inertia;  // by body, in the world, at the poses of the rows
   // One number a row; with friction `upper` is μ.
   std::vector<double> lambda, C, bias, gamma, target_rate, lower, upper, restitution;
   std::vector<double> stiffness;  // k of AVBD, else empty; a new layout keeps it, and λ, of constraints that stay
