@@ -271,6 +271,7 @@ void Scene<M>::lay_out(const std::vector<int>& order, System<M>& system, const C
   system.bounded = false;
   system.layout = new_stamp();
   system.inverse_mass.assign(bodies_.inverse_mass.begin(), bodies_.inverse_mass.end());
+  system.inverse_inertia.resize(bodies_.size());
   int row = 0;
   for (const int place : order) {
     const bool found = place >= count();

@@ -199,7 +199,6 @@ class Scene {
   }
   /// Writes J, M⁻¹Jᵀ, C, γ, bounds and what a row adds to its bias, at the current poses, for a time step h [s].
   void write_rows(System<M>& system, double h, const ConstraintList<M>& contacts = {}) const {
-    system.inverse_inertia.resize(bodies_.size());
     if constexpr (M::angular > 0)
       for (int i = 0; i < bodies_.size(); ++i)
         system.inverse_inertia[i] = inverse_inertia(bodies_.inverse_mass[i], bodies_.pose[i]);

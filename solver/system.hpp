@@ -77,8 +77,8 @@ inline constexpr int most_rows = []<int... K, Bound... B>(std::tuple<std::vector
 
 /// Calls f(std::integral_constant) with the index of a block type among the vectors of PerBlock.
 template <class M, int first = 0, int last = std::tuple_size_v<PerBlock<M, BlockTag>>, class F>
-void for_type(int type, F&& f) {
-  constexpr int middle = (first + last) / 2;
+[[gnu::always_inline]] inline void for_type(int type, F&& f) {
+  constexpr int middle = first + (last - first + 1) / 3;
   if constexpr (middle == first)
     f(std::integral_constant<std::size_t, first>());
   else
