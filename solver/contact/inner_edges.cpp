@@ -12,8 +12,8 @@ namespace {
 /// Of the margin: what rises by less lies flush.
 constexpr double flush = 0.05;
 /// Normals that include less than a few degrees are one: a box that rests on two tiles may tilt a little. A ball
-/// may not, and near the end of a tile its normal differs little.
-constexpr double same_direction = 0.995, same_for_balls = 1 - 1e-9;
+/// may not: near the end of a tile its normal differs little.
+constexpr double same_direction = 0.995;
 
 /// A plane through a face: x · normal = height.
 template <class M>
@@ -71,11 +71,13 @@ void InnerEdges<M>::drop(const Scene<M>& scene, std::vector<ContactPair<M>>& pai
     std::sort(supports_.begin(), supports_.end(), by_body);
 
   const auto hides = [&](const Support& floor, const Support& corner) {
-    const bool ball = std::holds_alternative<Ball<M>>(shapes[corner.body]);
-    if (floor.normal.dot(corner.normal) >= (ball ? same_for_balls : same_direction)) return false;
+    if (!std::holds_alternative<Ball<M>>(shapes[corner.body]) && floor.normal.dot(corner.normal) >= same_direction)
+      return false;
     const auto face = face_along<M>(shapes[floor.ground], bodies.pose[floor.ground], floor.normal);
-    return face && height_along<M>(shapes[corner.ground], bodies.pose[corner.ground], face->normal) <=
-                       face->height + flush * scene.colliders().margin;
+    // A ball beside a seam is above one tile's face and another's edge: the former hides the latter only.
+    return face && (floor.normal - face->normal).squaredNorm() < (corner.normal - face->normal).squaredNorm() &&
+           height_along<M>(shapes[corner.ground], bodies.pose[corner.ground], face->normal) <=
+               face->height + flush * scene.colliders().margin;
   };
   bool any = false;
   for (auto begin = supports_.begin(); begin != supports_.end();) {

@@ -27,6 +27,16 @@ Linear<M> turning_of(const Mover<M>& mover, const Linear<M>& arm) {
     return mover.angular().cross(arm);
 }
 
+/// Nothing passes by a plane but a box whose corners' circle stays above it while their tangents do not.
+template <class M>
+void leave_out_above(const Linear<M>& up, const Linear<M>& on_plane, const Mover<M>& plane, const Mover<M>& mover,
+                     double time, double margin, Manifold<M>& manifold) {
+  const auto* box = std::get_if<Box<M>>(&mover.shape);
+  if (!box) return;
+  const double height = up.dot(mover.pose.position - on_plane), rate = up.dot(mover.linear() - plane.linear());
+  if (height + std::min(0.0, time * rate) > box->half().norm() + margin) manifold.size = 0;
+}
+
 }  // namespace
 
 template <class M>
@@ -41,9 +51,11 @@ void move_to_meeting(const Mover<M>& first, const Mover<M>& second, double time,
                      Manifold<M>& manifold) {
   const double way = time * approach(first, second);
   if (manifold.empty()) return;
+  if (std::holds_alternative<HalfSpace<M>>(first.shape))
+    return leave_out_above<M>(manifold.normal, manifold.points[0].p1, first, second, time, margin, manifold);
+  if (std::holds_alternative<HalfSpace<M>>(second.shape))
+    return leave_out_above<M>(-manifold.normal, manifold.points[0].p2, second, first, time, margin, manifold);
   if (const double now = gap(manifold); now <= touching * margin || now >= way) return;
-  if (std::holds_alternative<HalfSpace<M>>(first.shape) || std::holds_alternative<HalfSpace<M>>(second.shape))
-    return;  // nothing passes by a plane
   const double turning = first.rim_speed + second.rim_speed;
   double passed = 0;
   Pose<M> pose1 = first.pose, pose2 = second.pose;

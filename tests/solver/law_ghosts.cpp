@@ -64,10 +64,11 @@ TYPED_TEST(Ghosts, ACornerThatIsPassedChangesNoVelocity) {
           }
 }
 
-/// Where a ball or box ends that moves for 3 s along a floor without friction, and how high it rose.
+/// Where a ball or box ends that moves for 3 s along a floor without friction, how high it rose and how low it
+/// sank.
 template <class M>
 struct Ride {
-  double x, speed, rise = 0;
+  double x, speed, rise = 0, sink = 0;
 };
 template <class M>
 Ride<M> ride(bool box, double speed, double tile, double step_up = 0) {
@@ -89,7 +90,9 @@ Ride<M> ride(bool box, double speed, double tile, double step_up = 0) {
   Ride<M> result;
   for (int i = 0; i < 180; ++i) {
     simulation.step(h);
-    result.rise = std::max(result.rise, simulation.scene.bodies().pose[body].position.y() - 0.25);
+    const double above = simulation.scene.bodies().pose[body].position.y() - 0.25;
+    result.rise = std::max(result.rise, above);
+    result.sink = std::max(result.sink, -above);
   }
   result.x = simulation.scene.bodies().pose[body].position.x();
   result.speed = simulation.scene.bodies().velocity[body][0];
@@ -104,6 +107,27 @@ TYPED_TEST(Ghosts, TilesThatLieFlushAreOneFloor) {
       EXPECT_NEAR(tiles.speed, slab.speed, 1e-6 * speed) << box << ' ' << speed;
       EXPECT_NEAR(tiles.x, slab.x, 1e-6 * speed) << box << ' ' << speed;
       EXPECT_LE(tiles.rise, 1e-7) << box << ' ' << speed;
+      EXPECT_LE(tiles.sink, slab.sink + 1e-6) << box << ' ' << speed;
+    }
+}
+
+// Beside a seam the ball has the face of one tile below it and the edge of the other, and must keep the former.
+TYPED_TEST(Ghosts, ABallBesideASeamRestsAsOnOneSlab) {
+  using M = TypeParam;
+  for (const double radius : {0.05, 0.2, 1.0})
+    for (const double share : {0.0, 1e-9, 1e-6, 1e-4, 1e-3, 5e-3, 0.02, 0.1, 0.5}) {
+      Scene<M> scene;
+      scene.gravity = point<M>(0, -9.81);
+      add_block<M>(scene, point<M>(-0.5, -0.5), block<M>(1, 1));
+      add_block<M>(scene, point<M>(0.5, -0.5), block<M>(1, 1));
+      const int body = scene.add_body(point<M>(share * radius, radius), ball<M>(1, radius));
+      scene.set_shape(body, Ball<M>{radius}, {0});
+      Simulation simulation{std::move(scene)};
+      run(simulation, 5, h);
+      // The slop, and what a warm start leaves of it.
+      EXPECT_NEAR(simulation.scene.bodies().pose[body].position.y(), radius, 1.1e-3) << radius << ' ' << share;
+      EXPECT_NEAR(simulation.scene.bodies().pose[body].position.x(), share * radius, 1e-6)
+          << radius << ' ' << share;
     }
 }
 
@@ -113,6 +137,33 @@ TYPED_TEST(Ghosts, AStepUpIsNoInnerEdge) {
   EXPECT_NEAR(ride<M>(true, 1, 1, 0.5 * margin / 20).speed, 1, 1e-3);
   EXPECT_LE(ride<M>(true, 1, 1, 2 * margin / 20).speed, 0.5);
   EXPECT_LE(ride<M>(true, 5, 1, 0.3).speed, 0.1);
+}
+
+// The circle of its corners stays above the floor, and its corners' tangents do not.
+TYPED_TEST(Ghosts, WhatTurnsAboveAPlaneIsNotStruckByIt) {
+  using M = TypeParam;
+  for (const double clearance : {1.5 * margin, 0.1, 0.3, 3.0})
+    for (const double spin : {20.0, 50.0, 200.0, 1000.0})
+      for (int phase = 0; phase < 20; ++phase) {
+        const Box<M> box = block<M>(2, 0.1, 0.1);
+        Scene<M> scene;
+        scene.gravity.setZero();
+        const int floor = scene.add_body(point<M>(0, 0), fixed<M>());
+        scene.set_shape(floor, HalfSpace<M>{point<M>(0, 1)});
+        Pose<M> pose;
+        pose.position = point<M>(0, clearance + box.half().norm());
+        if constexpr (M::angular == 1)
+          pose.rotation = plane_rotation(0.16 * phase);
+        else
+          pose.rotation = Quaternion<double>(std::cos(0.08 * phase), 0, 0, std::sin(0.08 * phase));
+        const Velocity<M> v = velocity<M>(0, 0, spin);
+        const int body = scene.add_body(pose, byhand::box<M>(1, box.sides), v);
+        scene.set_shape(body, box);
+        Simulation simulation{std::move(scene)};
+        simulation.step(h);
+        EXPECT_LE(simulation.scene.bodies().velocity[body].template head<2>().norm(), 1e-9)
+            << clearance << ' ' << spin;
+      }
 }
 
 // The floor's row is below the wall's foot, and the wall rises above it.
