@@ -31,7 +31,7 @@ template <class M>
 Scene<M>::~Scene() = default;
 
 template <class M>
-int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Velocity<M>& velocity) {
+int Scene<M>::add_body(Pose<M> pose, InverseMass<M> mass, Velocity<M> velocity) {
   require_valid<M>(pose);
   require_valid<M>(mass);
   require_valid<M>(velocity);
@@ -58,7 +58,7 @@ int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Ve
 }
 
 template <class M>
-int Scene<M>::add_body(const Linear<M>& position, const InverseMass<M>& mass, const Velocity<M>& velocity) {
+int Scene<M>::add_body(const Linear<M>& position, InverseMass<M> mass, Velocity<M> velocity) {
   Pose<M> pose;
   pose.position = position;
   return add_body(pose, mass, velocity);
@@ -176,8 +176,7 @@ void Scene<M>::apply_angular_impulse(int body, const Angular<M>& impulse) requir
 }
 
 template <class M>
-void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface,
-                         const Layers& layers) requires(M::angular > 0) {
+void Scene<M>::set_shape(int body, Shape<M> shape, Surface surface, Layers layers) requires(M::angular > 0) {
   require_body(bodies_, body);
   require_valid<M>(shape);
   require_in("friction coefficient", surface.friction, 0, 1e300);

@@ -76,10 +76,9 @@ class Scene {
 
   /// Adds a body (`fixed` holds it, or moves it with its velocity) and returns its index. That of a removed body
   /// is used again.
-  int add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Velocity<M>& velocity = Velocity<M>::Zero());
+  int add_body(Pose<M> pose, InverseMass<M> mass, Velocity<M> velocity = Velocity<M>::Zero());
   /// Adds an unturned body at a point [m].
-  int add_body(const Linear<M>& position, const InverseMass<M>& mass,
-               const Velocity<M>& velocity = Velocity<M>::Zero());
+  int add_body(const Linear<M>& position, InverseMass<M> mass, Velocity<M> velocity = Velocity<M>::Zero());
   /// Removes a body and all constraints that hold it.
   void remove_body(int body);
   void set_pose(int body, const Pose<M>& pose);
@@ -110,8 +109,7 @@ class Scene {
   void apply_angular_impulse(int body, const Angular<M>& impulse) requires(M::angular > 0);
 
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
-  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {},
-                 const Layers& layers = {}) requires(M::angular > 0);
+  void set_shape(int body, Shape<M> shape, Surface surface = {}, Layers layers = {}) requires(M::angular > 0);
   /// Bodies get a contact where they are nearer than the margin, or will be within the next lookahead · h, moved
   /// on as fast as now: h is the step. Without the lookahead what is fast passes thin walls unseen. margin [m] >
   /// 0, lookahead >= 0.
@@ -137,9 +135,10 @@ class Scene {
   const Kind& get(const Handle<Kind>& handle) const {
     return constraints_.template of<Kind>(entry_of(handle));
   }
-  /// The constraint at a place in natural order, or nullptr if it is of another kind.
+  /// The constraint at a place in natural order, or nullptr if it is of another kind or there is none.
   template <class Kind>
   const Kind* get_if(int place) const {
+    if (place < 0 || place >= count()) return nullptr;
     const Entry& entry = entries()[place];
     return store(entry.kind).kind() == typeid(Kind) ? &constraints_.template of<Kind>(entry) : nullptr;
   }
@@ -161,6 +160,7 @@ class Scene {
       const Entry entry = entry_of(handle);
       changed.push_back(changed_one(entry, change, constraints_.template of<Kind<M>>(entry)));
     }
+    for (const auto& handle : handles) place(handle);  // throws if `change` has removed it
     for (std::size_t i = 0; i < handles.size(); ++i) constraints_.replace(entry_of(handles[i]), changed[i]);
   }
 

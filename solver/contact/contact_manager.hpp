@@ -107,11 +107,13 @@ class ContactManager<Model<L, 0>> {
   ConstraintList<M> none_;
 };
 
-/// Calls f(store, entry) for each constraint of a scene in natural order, and then for each contact.
+/// Calls f(store, entry) for each constraint of a scene in natural order, and then for each contact of bodies that
+/// it still has.
 template <class M, class F>
 void for_each_constraint(const Scene<M>& scene, const ContactManager<M>& contacts, F&& f) {
   for (const ConstraintList<M>* list : {&scene.constraints(), &contacts.constraints()})
-    for (const auto& entry : list->entries()) f(list->store(entry.kind), entry);
+    for (const auto& entry : list->entries())
+      if (scene.bodies().has(entry.body1) && scene.bodies().has(entry.body2)) f(list->store(entry.kind), entry);
 }
 
 }  // namespace byhand

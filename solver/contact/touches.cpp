@@ -12,8 +12,8 @@ std::vector<Touch<M>> touches(const Bodies<M>& bodies,
                               const ContactManager<M>& contacts) requires(M::angular > 0) {
   std::vector<Touch<M>> result;
   for (const ContactPair<M>& pair : contacts.pairs()) {
-    if (!pair.presses()) continue;
     const auto [body1, body2] = pair.bodies;
+    if (!pair.presses() || !bodies.has(body1) || !bodies.has(body2)) continue;
     const Pose<M>&pose1 = bodies.pose[body1], &pose2 = bodies.pose[body2];
     const auto tangents = tangents_of<M>(pair.normal);
     Touch<M>& touch = result.emplace_back(Touch<M>{body1, body2, pair.normal, Linear<M>::Zero()});

@@ -398,6 +398,51 @@ TEST(ChangedConstraint, IsTheOneThatWasNamedEvenIfOthersComeOrGoMeanwhile) {
   EXPECT_EQ(scene.get(rod).length, 5);
   EXPECT_EQ(scene.count(), 24);
   EXPECT_EQ(scene.all<Distance>().back().length, 7);
+  // All are changed, or none: the last one is no more when all are to be written.
+  EXPECT_THROW(scene.change_all<Distance>([&](auto& changed) {
+    changed.length = 6;
+    if (scene.has(rod)) scene.remove(scene.entries().back().id);
+  }),
+               std::invalid_argument);
+  for (const auto& other : scene.all<Distance>()) EXPECT_NE(other.length, 6);
+}
+
+// What is given to a scene may lie in it, and the scene may grow.
+TEST(Scene, TakesItsOwnBodiesAndShapesForNewOnes) {
+  using M = PlaneBody;
+  Scene<M> scene;
+  scene.add_body({1, 2}, box<M>(2, {1, 1}), {3, 4, 5});
+  scene.set_shape(0, Box<M>{{1, 1}}, {0.25, 0.5}, {.in = 4});
+  for (int i = 1; i < 100; ++i) {
+    const int body =
+        scene.add_body(scene.bodies().pose[0], scene.bodies().inverse_mass[0], scene.bodies().velocity[0]);
+    scene.set_shape(body, scene.colliders().shapes[0], scene.colliders().surfaces[0], scene.colliders().layers[0]);
+    EXPECT_EQ(scene.bodies().pose[body].position, Linear<M>(1, 2));
+    EXPECT_EQ(scene.bodies().velocity[body], Velocity<M>(3, 4, 5));
+    EXPECT_EQ(scene.bodies().inverse_mass[body].linear, 0.5);
+    EXPECT_EQ(std::get<Box<M>>(scene.colliders().shapes[body]).sides, Linear<M>(1, 1));
+    EXPECT_EQ(scene.colliders().surfaces[body].friction, 0.25);
+    EXPECT_EQ(scene.colliders().layers[body].in, 4);
+  }
+  EXPECT_EQ(scene.get_if<Distance<M>>(0), nullptr);
+  EXPECT_EQ(scene.get_if<Distance<M>>(-1), nullptr);
+}
+
+// A simulation's scene may be replaced; what it found before is not of the new one.
+TEST(Simulation, ForgetsTheContactsOfBodiesThatAreNoMore) {
+  using M = PlaneBody;
+  Scene<M> scene;
+  scene.set_shape(scene.add_body({0, 0}, fixed<M>()), HalfSpace<M>{});
+  scene.set_shape(scene.add_body({0, 0.4}, box<M>(1, {1, 1})), Box<M>{{1, 1}});
+  Simulation simulation{std::move(scene)};
+  simulation.step(1.0 / 60);
+  EXPECT_EQ(simulation.touches().size(), 1);
+  EXPECT_GT(position_error(simulation).max, 0);
+  simulation.scene.remove_body(1);
+  EXPECT_TRUE(simulation.touches().empty());
+  simulation.scene = {};
+  EXPECT_TRUE(simulation.touches().empty());
+  EXPECT_EQ(position_error(simulation).max, 0);
 }
 
 }  // namespace changes_test
