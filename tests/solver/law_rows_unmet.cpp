@@ -142,4 +142,72 @@ TYPED_TEST(RowsThatCannotBeMet, AHeavyBobIsCorrectedInFull) {
   }
 }
 
+// Two pins of one body at points that are apart, and two rods on a line that are too short together.
+TYPED_TEST(RowsThatCannotBeMet, DoNotConvergeWhereTheyRepeat) {
+  using M = TypeParam;
+  for (const double apart : {1e-6, 1.0, 10.0}) {
+    Scene<M> pinned, straight;
+    for (Scene<M>* scene : {&pinned, &straight}) {
+      for (const double x : {-apart / 2, apart / 2}) scene->add_body(point<M>(x, 0), fixed<M>());
+      scene->add_body(point<M>(0, 0), with_mass<M>(1));
+      scene->gravity.setZero();
+    }
+    for (const int anchor : {0, 1}) {
+      pinned.add(pin<M>(pinned.bodies(), anchor, 2, pinned.bodies().pose[anchor].position));
+      straight.add(NormalisedDistance<M>{{anchor, 2}, apart / 4});
+    }
+    for (const Scene<M>& scene : {pinned, straight}) {
+      Simulation<M> simulation{scene};
+      for (int i = 0; i < 60; ++i) {
+        simulation.step(1.0 / 60);
+        EXPECT_FALSE(simulation.work.solution.converged) << apart << ' ' << i;
+      }
+    }
+  }
+}
+
+template <class M>
+class RowsAgainstContacts : public testing::Test {};
+using Bodies = testing::Types<PlaneBody, SpaceBody>;
+TYPED_TEST_SUITE(RowsAgainstContacts, Bodies);
+
+// A rod of this length from a point 3 m above the middle of a box on the ground: beyond 3 m it cannot be met.
+template <class M>
+Seen pressed(double length, double friction) {
+  Scene<M> scene;
+  scene.set_shape(scene.add_body(point<M>(0, 0), fixed<M>()), HalfSpace<M>{point<M>(0, 1)}, {friction});
+  const int point_above = scene.add_body(point<M>(0, 3.5), fixed<M>());
+  const Linear<M> sides = Linear<M>::Constant(1);
+  const int crate = scene.add_body(point<M>(0, 0.5), box<M>(1, sides));
+  scene.set_shape(crate, Box<M>{sides}, {friction});
+  scene.add(NormalisedDistance<M>{{point_above, crate}, length});
+  Simulation<M> simulation{std::move(scene)};
+  Seen seen;
+  for (int i = 0; i < 600; ++i) {
+    simulation.step(1.0 / 60);
+    seen.unconverged += !simulation.work.solution.converged;
+    const Velocity<M>& V = simulation.scene.bodies().velocity[crate];
+    seen.fastest = std::max(seen.fastest, V.norm());
+  }
+  seen.asked = 0.2 * 60 * (length - 3);
+  return seen;
+}
+
+TYPED_TEST(RowsAgainstContacts, ArePressedNoFasterThanTheyAsk) {
+  for (const double length : {3.01, 3.05, 3.2, 4.0})
+    for (const double friction : {0.0, 0.6}) {
+      const Seen seen = pressed<TypeParam>(length, friction);
+      EXPECT_LE(seen.fastest, 4 * seen.asked + 0.5) << length << ' ' << friction;
+      EXPECT_GT(seen.unconverged, 0) << length << ' ' << friction;
+    }
+}
+
+TYPED_TEST(RowsAgainstContacts, ConvergeWhereTheyCanBeMet) {
+  for (const double length : {2.9, 3.0}) {
+    const Seen seen = pressed<TypeParam>(length, 0.6);
+    EXPECT_LE(seen.fastest, 2) << length;
+    EXPECT_EQ(seen.unconverged, 0) << length;
+  }
+}
+
 }  // namespace law_rows_unmet_test
