@@ -27,7 +27,7 @@ struct Box {
 /// Everything behind a line (plane) through the body's position.
 template <class M>
 struct HalfSpace {
-  Linear<M> normal = Linear<M>::Unit(M::linear - 1);  // outward unit vector in the body's axes
+  Linear<M> normal = Linear<M>::Unit(1);  // outward unit vector in the body's axes
 };
 
 /// The shapes of a model; std::monostate is no shape. Particles do not turn, so they cannot be boxes.

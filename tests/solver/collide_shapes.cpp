@@ -124,7 +124,7 @@ TEST_IN_BOTH_BODIES(CollideHalfSpaces, TouchTheDeepestCornersOfABox, 500) {
 TEST_IN_BOTH_BODIES(CollideHalfSpaces, TouchAWholeFaceThatLiesOnThem) {
   const Solid<M> ground{HalfSpace<M>{}, {}};
   Solid<M> box{Box<M>{Linear<M>::Ones()}, {}};
-  box.pose.position[M::linear - 1] = 0.5;
+  box.pose.position[1] = 0.5;
   EXPECT_EQ(touch(ground, box, 0).size, Manifold<M>::capacity);
 }
 
