@@ -80,7 +80,7 @@ Digest digest_from_json(const std::string& text) {
   return digest;
 }
 
-std::string search_script(const std::vector<Digest>& lessons) {
+std::string search_index(const std::vector<Digest>& lessons) {
   Json pages = Json::array();
   for (const Digest& lesson : lessons) {
     Json steps = Json::array();
@@ -91,7 +91,7 @@ std::string search_script(const std::vector<Digest>& lessons) {
            fmt::format("{}{}{}", step.words, step.reads.empty() ? "" : " ", fmt::join(step.reads, " "))});
     pages.push_back({page_of(lesson.slug), lesson_title(lesson.slug), steps});
   }
-  return "'use strict';\nvar searchPages = " + pages.dump() + ";\n";
+  return pages.dump();
 }
 
 std::string equations_script() {

@@ -16,9 +16,8 @@ std::string parameters_json(const course::Lesson& lesson, const std::vector<cour
 std::string to_json(const Digest& digest);
 Digest digest_from_json(const std::string& json);
 
-/// A script that sets `searchPages` to what the search looks through: [page, lesson, [[anchor, title, words], …]],
-/// ….
-std::string search_script(const std::vector<Digest>& lessons);
+/// What the search looks through, as JSON: [page, lesson, [[anchor, title, words], …]], ….
+std::string search_index(const std::vector<Digest>& lessons);
 
 /// A script that sets `equations` to the MathML of the article's equations, by number.
 std::string equations_script();

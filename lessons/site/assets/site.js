@@ -95,16 +95,22 @@
   layout.done = layout.narrow.matches ? layOut().catch(() => {}) : Promise.resolve();
   layout.narrow.addEventListener('change', () => layOut().then(() => document.dispatchEvent(new Event('laidout')), () => {}));
 
-  // What is wider than the page can be scrolled with the keyboard.
-  const scrollers = () => {
-    for (const box of document.querySelectorAll('.formula, .scroll, .picture, pre')) {
+  // A formula that is a little too wide is set smaller. What is wider still can be scrolled with the keyboard.
+  const smallest = 0.75;
+  const fit = (part = document) => {
+    for (const box of part.querySelectorAll('.formula, .scroll, .picture, pre')) {
+      if (box.matches('.formula')) {
+        box.style.fontSize = '';
+        if (box.scrollWidth > box.clientWidth) box.style.fontSize = `${Math.max(smallest, 0.99 * box.clientWidth / box.scrollWidth)}em`;
+      }
       if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
       else box.removeAttribute('tabindex');
     }
   };
-  addEventListener('resize', scrollers);
-  addEventListener('load', scrollers);
-  document.addEventListener('toggle', scrollers, true);
+  layout.fit = fit;
+  addEventListener('resize', () => fit());
+  addEventListener('load', () => fit());
+  document.addEventListener('toggle', () => fit(), true);
 
   // At which edges of a picture more of it is out of sight.
   const tellMore = picture => {
@@ -225,8 +231,8 @@
   let index;
   const load = () => index ??= new Promise((resolve, reject) => {
     const script = element('script', { src: place.dataset.index });
-    script.onload = () => resolve(window.searchPages.flatMap(([page, lesson, steps]) =>
-      steps.map(([anchor, title, words]) => ({ href: `${page}#${anchor}`, lesson, title, words, low: plain(words), heading: plain(`${lesson} ${title}`) }))));
+    globalThis.byhandSearch = packed => resolve(unpacked(packed).then(pages => pages.flatMap(([page, lesson, steps]) =>
+      steps.map(([anchor, title, words]) => ({ href: `${page}#${anchor}`, lesson, title, words, low: plain(words), heading: plain(`${lesson} ${title}`) })))));
     script.onerror = () => reject(new Error('assets/search.js cannot be loaded'));
     document.head.append(script);
   });

@@ -26,7 +26,7 @@
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/desk_page.hpp"
 #include "lessons/site/course/downloads.hpp"
-#include "lessons/site/course/narrow.hpp"
+#include "lessons/site/course/packed.hpp"
 #include "lessons/site/course/plan.hpp"
 #include "lessons/site/course/playground_page.hpp"
 #include "lessons/site/course/site_folder.hpp"
@@ -206,7 +206,7 @@ int run(const Wanted& wanted) {
                         site::figures_of(folder.path(), lesson));
     fs::remove_all(folder.path() / lesson.slug / "films");
   }
-  write("assets/search.js", site::search_script(lessons));
+  write("assets/search.js", site::packed_script("byhandSearch", site::search_index(lessons)));
   write("assets/equations.js", site::equations_script());
   write("constraints_by_hand.epub", site::book(folder.path(), lessons));
   const bool slides = wanted.without_slides || write_slides(folder.path(), lessons);

@@ -342,8 +342,7 @@
       before.after(next);
       if (next.dataset.film) this.adopt(next);
       linkPages(next);
-      for (const box of next.querySelectorAll('.formula, .scroll, .picture, pre'))  // as in site.js
-        if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
+      byhandLayout.fit(next);
       this.mark(next);
       return next;
     }

@@ -1,6 +1,7 @@
 // The search finds what it is asked for as people type it.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
 
 import { lessons, open, quit, url } from './browser.mjs';
 
@@ -10,9 +11,10 @@ const course = [['03_iterations.html', '3. Iterations', [['step-2', '2 Gauss–S
   ['04_baumgarte.html', '4. Baumgarte', [['step-2', '2 A share', 'A share β of the error; λ stays. Gräfe wrote so.']]]];
 
 test('dashes, Greek letters and their names, accents and other names of methods are folded', async () => {
-  const tab = await open(url(`${lessons[0]}.html`), { before: tab => tab.evaluateOnNewDocument(course => {
-    Object.defineProperty(globalThis, 'searchPages', { get: () => course, set() {} });
-  }, course) });
+  const tab = await open(url(`${lessons[0]}.html`), { before: tab => tab.evaluateOnNewDocument(packed => {
+    let take;
+    Object.defineProperty(globalThis, 'byhandSearch', { get: () => () => take(packed), set(given) { take = given; } });
+  }, deflateRawSync(JSON.stringify(course)).toString('base64')) });
   const results = async words => {
     await tab.$eval('.search input', (input, words) => { input.value = words; input.dispatchEvent(new Event('input')); }, words);
     await tab.waitForFunction(() => document.querySelector('.search .none').textContent);

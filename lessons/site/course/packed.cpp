@@ -1,4 +1,4 @@
-#include "lessons/site/course/narrow.hpp"
+#include "lessons/site/course/packed.hpp"
 
 #include <fmt/format.h>
 
@@ -12,14 +12,17 @@ namespace byhand::site {
 
 namespace fs = std::filesystem;
 
+std::string packed_script(const std::string& receiver, const std::string& json) {
+  return fmt::format("'use strict';\n{}('{}');\n", receiver, renderer::base64(deflated(json)));
+}
+
 void pack_narrow_pictures(const fs::path& site) {
   std::vector<fs::path> all;
   for (const auto& entry : fs::recursive_directory_iterator(site))
     if (entry.path().filename() == "narrow.json") all.push_back(entry.path());
   for (const fs::path& path : all) {
-    const std::string pictures = course::read_whole(path).value_or("");
     course::write_whole(fs::path(path).replace_extension(".js"),
-                        fmt::format("'use strict';\nbyhandNarrow('{}');\n", renderer::base64(deflated(pictures))));
+                        packed_script("byhandNarrow", course::read_whole(path).value_or("")));
     fs::remove(path);
   }
 }
