@@ -73,11 +73,20 @@ void all_at_once(Page& page, const Knobs& knobs) {
                    {"insert", "JM⁻¹Jᵀ λ = −(JV + b)", R"(JM^{-1}J^T\,\lambda = -(JV + b))"}});
   page.text(
       R"(The diagonal of A holds (19) of each row; the entries beside it say what a joint does to its neighbours through
-      the bob that they share. A joint has at most two neighbours, so each row of A has at most three nonzero numbers,
-      3N − 2 in all: @ of @@. Its inverse is *full*: every joint's λ depends on every row's error. A column of A⁻¹ says
-      what each joint must do if only that one row has an error: every joint above pulls with full strength, each joint
-      below only as hard as the bobs under it need.)",
+      the bob that they share. A joint has at most two, so A has at most three nonzero numbers a row, 3N − 2 in all: @ of
+      @@. Elimination writes A = RRᵀ, R lower triangular (the *Cholesky factor*), and stores only R.)",
       nonzeros(A), n * n, n >= 6 ? "; A is *sparse*" : " (for long chains A is *sparse*)");
+  page.predict({.ask = say("How many numbers of R are not zero, for these @ joints?", n),
+                .answer = static_cast<double>(nonzeros(factor)),
+                .unit = "1",
+                .tolerance = 0.5,
+                .wrong = {{0.5 * n * (n + 1), "The triangle has that many places; most stay empty."},
+                          {static_cast<double>(n * n), "That is A⁻¹, which nobody needs."},
+                          {static_cast<double>(nonzeros(A)), "That is A, on both sides of its diagonal."}},
+                .hints = {"Eliminate joint 1. Which entries of A change?",
+                          "Only its neighbour's on the diagonal: nothing fills in.",
+                          say("The diagonal and the entries below it: @ + @ = …", n, n - 1)},
+                .right = "Two a joint, one for the last: R is as sparse as A."});
   page.figure("matrices",
               say(R"(Left: A, with @ nonzero entries. Middle: its factor R, with @. Right: its inverse, with
                   @. Empty cells are zero.)",
@@ -98,13 +107,12 @@ void all_at_once(Page& page, const Knobs& knobs) {
                 }
               });
   page.text(
-      R"(Nobody needs the inverse. Elimination writes A as a lower triangular matrix times its transpose, A = RRᵀ (R is the
-      *Cholesky factor*). R has @ nonzero numbers, about two a joint, and is as sparse as A; that is all a direct solve
-      stores. Step 7b counts its cost.
+      R"(A⁻¹ is *full*: every joint's λ depends on every row's error. A column of A⁻¹ says what each joint must do if only
+      that one row has an error: every joint above pulls with full strength, each joint below only as hard as the bobs
+      under it need. Nobody needs it: R is enough (step 7b counts its cost).
 
       *The article calls solving all constraints simultaneously "very inefficient". For loops and piles it can be;
-      for a chain it is not.*)",
-      2 * n - 1);
+      for a chain it is not.*)");
 
   HeldStep direct(chain, knobs.h, Direct{});
   direct.solve();

@@ -126,6 +126,30 @@ std::string at_the_end(const Value& sweeps, const Value& direct, double peak) {
              : say("At @ s its stretch is @ mm, the direct chain's @ mm.", film_seconds, sweeps, direct);
 }
 
+/// What stretches the chain with the most sweeps: they, if the direct chain stretches less than half as far.
+void ask_what_stretches(Page& page, const Knobs& knobs, const std::vector<Run>& runs) {
+  const Run &swept = runs[compared_sweeps.size() - 1], &direct = runs.back();
+  const int sweeps = compared_sweeps.back();
+  const double left = laws::left_by_sweeps(knobs.links, sweeps);
+  const bool sweeps_leave_more = std::isinf(direct.lost_at) && worst(swept) > 2 * worst(direct);
+  const auto told = [](const Run& run) {
+    return std::isinf(run.lost_at) ? say("stretches by @ mm", Value(worst(run), 2)) : std::string("flies apart");
+  };
+  const std::string found = say("Solved directly it @, with @ sweeps it @.", told(direct), sweeps, told(swept));
+  page.choose(
+      {.ask = say("What stretches the links most with @ sweeps a step?", sweeps),
+       .options =
+           {{"the error that the sweeps leave",
+             sweeps_leave_more ? found : say("The direct solve leaves none, and the chain @ too.", told(direct))},
+            {"the step, which leaves the circle (lesson 2)",
+             sweeps_leave_more ? say("So it does when solved directly, and then it @.", told(direct)) : found},
+            {"nothing", "Each step moves along a tangent, whatever λ is."}},
+       .answer = sweeps_leave_more ? 0 : 1,
+       .hints = {"A chain whose rows are solved exactly has one of the two causes left.",
+                 say("@ cold sweeps leave q = ρᵏ@ of the slow wave (step 6).", sweeps,
+                     left < 1e-6 ? ", next to nothing," : say(" = @", Value(left, 2)))}});
+}
+
 }  // namespace
 
 void side_by_side(Page& page, const Knobs& knobs) {
@@ -165,6 +189,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
       knobs.beta > 0 ? say("with the correction of lesson 4 pulling stretched links back (β = @)", knobs.beta)
                      : "without any correction (β = 0)",
       knobs.warm() ? "warm" : "cold");
+  ask_what_stretches(page, knobs, runs);
   page.sequence(
       "sweeps_side_by_side",
       say(R"(@, @, @ and @ sweeps a step, and solved directly. Below: the largest stretch of any link. Dashed:
