@@ -36,6 +36,15 @@ double falls_at(Pile stack, double time, double h) {
   return std::numeric_limits<double>::infinity();
 }
 
+std::string fate(double fell) {
+  return std::isinf(fell) ? say("still stands after @ s", patience) : say("is down after @ s", Value(fell, 2));
+}
+
+Condition has_fate(const std::string& solved, double fell) {
+  const Quantity time("time stood, " + solved, std::min(fell, patience), "s");
+  return std::isinf(fell) ? time >= patience : time < patience;
+}
+
 double shift(const Pile& stack) { return std::abs(stack.scene.bodies().pose.back().position.x()); }
 
 }  // namespace byhand::contact

@@ -37,6 +37,13 @@ bool has_fallen(const Pile& stack);
 /// Steps until `time` [s] or until it has fallen; returns when it fell, infinity if it stands.
 double falls_at(Pile stack, double time, double h);
 
+/// How long a kicked stack must stand [s].
+inline constexpr double patience = 20;
+/// "is down after 9.3 s", of a stack that was watched for so long; infinity if it stands.
+std::string fate(double fell);
+/// The same as a condition, for a verdict that says it.
+Condition has_fate(const std::string& solved, double fell);
+
 /// How far the topmost box is to the side of where it began [m].
 double shift(const Pile& stack);
 

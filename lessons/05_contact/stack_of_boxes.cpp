@@ -12,7 +12,6 @@ namespace byhand::contact {
 namespace {
 
 constexpr double stack_seconds = 3.5, hurry = 4;  // of film [s]; seconds of the stack in one of the film
-constexpr double patience = 20;                   // how long a stack must stand [s]
 constexpr int most_tried = 64;                    // sweeps a step
 constexpr double least_shift = 1e-4;              // that is drawn [m]
 
@@ -151,16 +150,6 @@ double falls_by_itself(int boxes, const GaussSeidel& solver, double h) {
   return falls_at(column(boxes, solver, 0), patience, h);
 }
 
-std::string fate(double fell) {
-  return std::isinf(fell) ? say("still stands after @ s", patience) : say("is down after @ s", Value(fell, 2));
-}
-
-/// The same as a condition, for a verdict that says it.
-Condition has_fate(const std::string& solved, double fell) {
-  const Quantity time("time stood, " + solved, std::min(fell, patience), "s");
-  return std::isinf(fell) ? time >= patience : time < patience;
-}
-
 /// What becomes of a stack at rest each of whose overlaps is corrected, beside lesson 4's limit for warm starts.
 std::string if_all_is_corrected(Page& page, int boxes, int sweeps, const course::Parameter<double>& beta,
                                 double h) {
@@ -255,6 +244,20 @@ Chart shifts(const std::vector<End>& ends) {
   return chart;
 }
 
+/// What the camera sees of a run: as much as of a stack that stands, or, once boxes are outside, as little more as
+/// shows all of them. The ground stays where it is on the page.
+Rectangle seen(const Pile& pile, int boxes) {
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t i = 1; i < pile.scene.bodies().pose.size(); ++i) {
+    const double x = pile.scene.bodies().pose[i].position.x();
+    low = std::min(low, x - 0.75);
+    high = std::max(high, x + 0.75);
+  }
+  const double least = std::max(0.27 * boxes, 1.2), half = std::max(least, (high - low) / 2),
+               middle = std::clamp(0.0, high - half, std::max(high - half, low + half)), out = half / least;
+  return {middle - half, -0.03 * out * boxes, 2 * half, 1.06 * out * boxes};
+}
+
 void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const std::vector<double>& fell,
                const Rectangle& frame, int boxes) {
   const auto cells = frame.cells(1, static_cast<int>(runs.size()), 8);
@@ -267,8 +270,7 @@ void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const std::ve
       canvas.text({cells[i].centre().x(), cells[i].top() - 40}, say("falls after @ s", Value(fell[i], 3)),
                   {.size = 18, .colour = palette::error, .bold = true});
     canvas.clip(below);
-    const double aside = std::max(0.27 * boxes, 1.2);
-    canvas.look(fit({-aside, -0.03 * boxes, 2 * aside, 1.06 * boxes}, below, 0));
+    canvas.look(fit(seen(runs[i].pile, boxes), below, 0));
     pictures::Shapes shapes = pictures::shapes_of(runs[i].pile.scene);
     for (auto& box : shapes.boxes) {
       box.look = pictures::look_of_run(static_cast<int>(i));
@@ -368,7 +370,8 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   page.sequence(
       "stack",
       say(R"(@ boxes after a kick, with @ and @ warm sweeps a step and solved directly; the first @ s, @ times as
-            fast. Right: how far the top box is off, until it has fallen (dips: it passes its place).)",
+            fast. A fallen stack is drawn smaller. Right: how far the top box is off, until it has fallen (dips: it
+            passes its place).)",
           n, sweeps, 2 * sweeps, hurry * stack_seconds, hurry),
       Seconds{stack_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
         for (NamedPile& run : runs)
@@ -390,16 +393,15 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                                       2 * sweeps, fate(ends[1].fell))
                                 : say("With @ it @, with @ it @; solved directly it @.", few, fate(ends[0].fell),
                                       2 * sweeps, fate(ends[1].fell), fate(ends[2].fell))}});
-  const std::string cold_fate =
-      page.verdict({{.when = has_fate(few + ", cold", cold),
-                     .say = say("With @ and a cold start in every step it @.", few, fate(cold))}});
+  const std::string cold_fate = page.verdict(
+      {{.when = has_fate(few + ", cold", cold), .say = say("With @ started cold it @.", few, fate(cold))}});
   page.text("@ (@)", warm_fates, cold_fate);
   const double law = law_of_standing(n, h), needed_sweeps = sweeps_needed(n, h);
   page.text(why_it_falls(page, n, sweeping(sweeps, true), ends[0].fell, h));
   page.text(
       R"(Gravity pushes a leaning column further over, as it does a pencil on its tip, and the contacts resist by
-      pressing more on one side: the column has to build up a bending moment. Of all errors bending is the one that
-      sweeps remove most slowly, only the share 2/N⁴ (measured) in a sweep, against π²/4N² of an error in the weight.
+      pressing more on one side: the column has to build up a bending moment. Of all errors
+      sweeps remove bending most slowly: only the share 2/N⁴ (measured) in a sweep, against π²/4N² of an error in the weight.
       With a warm start two effects compete in each step: gravity adds the fraction (σh)² to a lean, where σ² = 3g/2N
       for a stiff column of N unit boxes, and k sweeps remove the fraction k · 2/N⁴. The column stands if the second is
       the larger:)");

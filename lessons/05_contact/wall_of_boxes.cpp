@@ -17,6 +17,35 @@ Pile wall(int base, const RowSolver& solver) {
 
 GaussSeidel coloured(int sweeps) { return {.sweeps = sweeps, .order = SweepOrder::coloured}; }
 
+/// What becomes of the λ of a face's two points from one step to the next: each goes to its own point, none is
+/// kept, or each goes to the other point.
+enum class Ids { kept, lost, exchanged };
+
+/// When step 7's kicked stack falls [s]; infinity if it stands.
+double falls_with(Ids ids, const Setting& setting, int sweeps) {
+  const double h = setting.h();
+  Pile stack = column(setting.boxes, GaussSeidel{.sweeps = sweeps});
+  System<PlaneBody>& system = stack.work.system;
+  ContactManager<PlaneBody>& contacts = stack.work.contacts;
+  while (stack.time < patience - 0.5 * h) {
+    if (ids == Ids::lost) contacts = {};
+    stack.step(h);
+    if (has_fallen(stack)) return stack.time;
+    if (ids != Ids::exchanged) continue;
+    for (const ContactPair<PlaneBody>& pair : contacts.pairs()) {
+      const int row = system.row_of[pair.constraint];
+      if (pair.size == 2) std::swap(system.lambda[row], system.lambda[row + 1]);
+    }
+    contacts.read_impulses(system);
+  }
+  return INFINITY;
+}
+
+/// What ids decide, in one stack: when it falls by Ids [s].
+std::vector<double> fell_by_ids(const Setting& setting, int sweeps, const Page& page) {
+  return page.side_by_side(3, [&](int i) { return falls_with(static_cast<Ids>(i), setting, sweeps); });
+}
+
 Chart overlaps(int base, double h) {
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "largest overlap (mm)", .scale = Scale::logarithmic}};
   const std::pair<std::string, RowSolver> solvers[] = {
@@ -62,8 +91,18 @@ void wall_of_boxes(const Setting& setting, Page& page) {
       - *clipping*: n belongs to a face of one box; the facing side of the other is cut off at that face's ends, and
         what is left ends in the points P, each with its own C;
       - *feature ids*: each point records the two corners that made it. In the next step the same pair is the same
-        contact and gets its λ back. Lose the ids, and every start is cold, whatever the solver's settings say.)");
-
+        contact and gets its λ back.)");
+  const int sweeps = 2 * setting.sweeps;
+  const std::vector<double> fell = fell_by_ids(setting, sweeps, page);
+  page.text(
+      R"(Take step 7's kicked stack, with @ warm sweeps a step. @ (The sum of the two, the weight, is then still right;
+      their difference, which bends the stack back, has the wrong sign.))",
+      sweeps,
+      page.verdict({{.when = where(has_fate("by ids", fell[0]), has_fate("ids lost", fell[1]),
+                                   has_fate("λ exchanged", fell[2])),
+                     .say = say(R"(With its ids it @. Lose them, and every start is cold, whatever the solver's
+                                settings say: it @. Give each λ to the other point of its face: it @.)",
+                                fate(fell[0]), fate(fell[1]), fate(fell[2]))}}));
   page.text(
       R"(**Colours.** Rows are sorted into groups, the colours, in which no two rows share a moving box. Rows of one
       colour do not disturb each other, so their order does not matter and they can be solved in parallel.)");
@@ -127,6 +166,9 @@ void wall_of_boxes(const Setting& setting, Page& page) {
              fine);
   page.claim("largest overlap after 5 s", left, "m", is_at_most(slop, "slop, above which it is pushed out"), fine);
   page.claim("the top box has moved", moved, "m", is_at_most(0.004, "4 mm: it stands"), fine);
+  const double cold = falls_at(column(setting.boxes, GaussSeidel{.sweeps = sweeps, .warm_start = false}), 1, h);
+  page.claim("time stood with ids lost", fell[1], "s", is(cold, "a cold start in every step", absolute(0.5 * h)),
+             Quantity("time", fell[1], "s") < 1);
 }
 
 }  // namespace byhand::contact
