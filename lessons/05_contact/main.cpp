@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
           lesson.parameter("width", 0.2, "m", {0.1, 2}, "width of the box that stands on two contacts, 1 m high"),
       .friction = lesson.parameter("friction", 0.4, "1", {0.05, 1}, "coefficient μ"),
       .boxes = lesson.parameter("boxes", 20, "1", {2, 30}, "number of boxes in the stack"),
-      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps in a step (steps 7, 7b)"),
+      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps in a step (steps 7 to 7b)"),
   };
   const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
     return [=](course::Page& page) { step(setting, page); };
@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   lesson.deeper("A pyramid", with(wall_of_boxes));
   lesson.deeper("A heavy box on a light one", with(heavy_on_light));
   lesson.deeper("Where friction has no answer", with(no_answer));
+  lesson.deeper("A lift", with(on_a_lift));
 
   lesson.closing(
       {.now_you_know =

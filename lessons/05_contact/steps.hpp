@@ -15,6 +15,7 @@ void stack_of_boxes(const Setting& setting, course::Page& page);
 void wall_of_boxes(const Setting& setting, course::Page& page);
 void heavy_on_light(const Setting& setting, course::Page& page);
 void no_answer(const Setting& setting, course::Page& page);
+void on_a_lift(const Setting& setting, course::Page& page);
 
 /// Boxes on the floor, with the friction of step 3.
 course::Hold in_hand(const Setting& setting);

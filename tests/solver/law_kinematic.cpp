@@ -184,6 +184,52 @@ TEST_IN_BOTH_BODIES(Lift, ABoxStandsOnItAndPressesWithItsWeight) {
       });
 }
 
+TEST_IN_BOTH_BODIES(Lift, ThatSlowsDownByMoreThanGLetsGoOfABox) {
+  constexpr double g = 9.81, speed = 5;
+  for (const double share : {0.5, 0.999, 1.001, 1.5}) {
+    Velocity<M> V = speed * Velocity<M>::Unit(1);
+    Simulation<M, AnyStepping> simulation{carried<M>(platforms<M>()[0], V),
+                                          {GaussSeidel{.sweeps = 200, .tolerance = 1e-14}}};
+    simulation.scene.set_velocity(1, V);
+    const auto& pose = simulation.scene.bodies().pose;
+    for (int i = 1; i <= 30; ++i) {
+      V[1] -= share * g * time_step;
+      simulation.scene.set_velocity(0, V);
+      simulation.step(time_step);
+      double push = 0;
+      for (const Touch<M>& touch : simulation.touches()) push += touch.impulse.y() / time_step;
+      EXPECT_NEAR(push, 2 * g * std::max(0.0, 1 - share), 1e-6) << share << " of g, step " << i;
+    }
+    const double t = 30 * time_step, gap = 0.5 * std::max(0.0, share - 1) * g * t * (t + time_step);
+    EXPECT_NEAR(pose[1].position.y() - pose[0].position.y() - 1, gap, 1e-8) << share << " of g";
+  }
+}
+
+TEST(Turntable, CarriesABoxUpToTheRadiusOfFriction) {
+  using M = SpaceBody;
+  constexpr double mu = 0.3, g = 9.81, omega = 2, limit = mu * g / (omega * omega);
+  for (const double share : {0.5, 0.95, 1.05, 1.5}) {
+    const Angular<M> turning(0, omega, 0);
+    Velocity<M> V = omega * Velocity<M>::Unit(4);
+    Scene<M> scene = carried<M>(HalfSpace<M>{Linear<M>::Unit(1)}, V, {.friction = mu});
+    scene.set_shape(1, Box<M>{{0.1, 0.02, 0.1}}, {.friction = mu});
+    scene.set_mass(1, box<M>(2, Linear<M>(0.1, 0.02, 0.1)));
+    scene.set_position(1, {share * limit, 0.01, 0});
+    V.head<3>() = turning.cross(scene.bodies().pose[1].position);
+    scene.set_velocity(1, V);
+    Simulation<M, AnyStepping> simulation{scene, {GaussSeidel{.sweeps = 300, .tolerance = 1e-14}}};
+    Linear<M> slip = Linear<M>::Zero();
+    for (int i = 0; i < 3; ++i) {  // the first step needs no force: its velocity is right
+      const Linear<M> at = simulation.scene.bodies().pose[1].position;
+      simulation.step(time_step);
+      slip = simulation.scene.bodies().velocity[1].head<3>() - turning.cross(at);
+    }
+    EXPECT_NEAR(std::hypot(slip.x(), slip.z()) / (mu * g * time_step), 2 * std::max(0.0, share - 1),
+                share < 1 ? 1e-3 : 0.1 * (share - 1))
+        << share << " of the radius";
+  }
+}
+
 TEST_IN_BOTH_BODIES(Platform, ThatSetsOffDragsABoxByFrictionUntilBothAreEquallyFast) {
   constexpr double mu = 0.4, g = 9.81, speed = 3;
   for (const auto& platform : platforms<M>())
