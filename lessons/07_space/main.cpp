@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   lesson.deeper("A gyroscope does not fall", with(gyroscope));
   lesson.hold(gyroscope_in_hand(setting));
   lesson.deeper("A book that tumbles", with(let_loose));
+  lesson.deeper("A turntable", with(turntable));
 
   lesson.closing(
       {.now_you_know =

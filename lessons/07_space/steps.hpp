@@ -18,6 +18,7 @@ void orientation(const Setting& setting, course::Page& page);
 void swing_and_twist(const Setting& setting, Page& page);
 void gyroscope(const Setting& setting, course::Page& page);
 void let_loose(const Setting& setting, course::Page& page);
+void turntable(const Setting& setting, course::Page& page);
 
 course::Hold book_in_hand(const Setting& setting);
 course::Hold gyroscope_in_hand(const Setting& setting);
