@@ -232,7 +232,8 @@ void bounds_on_turns(const Setting& setting, Page& page) {
              {{"dry friction in a joint", "ω₂ − ω₁", "0", "±τh"},
               {"a conveyor belt", "slip along t at a contact", "the belt's speed", "±μλₙ"},
               {"rolling resistance, with the lever a", "ω₂ − ω₁ of a wheel on the ground", "0", "±aλₙ"},
-              {"torsional friction of a disc of radius R, in space", "n·(ω₂ − ω₁)", "0", "±⅔μRλₙ"},
+              // ∫ μpr dA with p = N/πR², even: ⅔μRN. Under a ball (Hertz, p ∝ √(1 − r²/R²)) it is 3π/16 · μRN.
+              {"drilling by a disc of radius R that presses evenly, in space", "n·(ω₂ − ω₁)", "0", "±⅔μRλₙ"},
               {"two external gears", "r₁ω₁ + r₂ω₂", "0", "no bound"},
               {"a rack and pinion", "t·v₂ − r₁ω₁", "0", "no bound"},
               {"a screw of lead p, in space", "a·v − (p/2π) a·ω", "0", "no bound"}});
