@@ -154,11 +154,11 @@ void on_a_lift(const Setting& setting, Page& page) {
   page.formula("λ/h = m(g + a) for a ≥ −g;   for a < −g,  C = ½(|a| − g) t (t + h) after a time t",
                R"(\frac{\lambda}{h} = m(g + a) \ \text{ for } a \ge -g, \qquad
                   C = \tfrac12(|a| - g)\,t\,(t+h) \ \text{ after } t \text{ for } a < -g)");
-  page.text(
-      page.verdict({{.when = where(Quantity(say("gap at @ g", gentle), stays, "m") < 1e-9,
-                                   Quantity(say("gap at @ g", rough), leaves, "m") > 1e-3),
-                     .say = say("With @ g the box stays on. With @ g it is @ m above the lift after @ s of it.",
-                                gentle, rough, Value(leaves, 3), Value(rides[1].downwards(), 3))}}));
+  page.text(page.verdict(
+      {{.when = where(Quantity(say("gap at @ g", gentle), stays, "m") < 1e-9,
+                      Quantity(say("gap at @ g", rough), leaves, "m") > 1e-3),
+        .say = say("With ±@ g the box stays on. With ±@ g it is @ m above the lift after @ s of a < −g.", gentle,
+                   rough, Value(leaves, 3), Value(rides[1].downwards(), 3))}}));
   page.claim("λ/h while the lift speeds up", pressed_up, "N", is(weight + mass * a, "m(g + a)", relative(1e-9)));
   page.claim("λ/h while it slows down", pressed_down, "N", is(weight - mass * a, "m(g − a)", relative(1e-9)));
   for (const double share : {0.999, 1.001, rough})
