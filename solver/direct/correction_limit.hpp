@@ -8,8 +8,8 @@
 namespace byhand {
 
 /// Corrects by damped least squares, (A + 0.04 diag A)λ = -c, if the exact correction would make some body more
-/// than 2.5 times as fast as all rows together ask one by one. Then the energy of the correction is at most 6.25
-/// times what the rows would need one by one, whatever the units. `system.lambda` is the last `solve_equations`'
+/// than 2.5 times as fast as all rows together ask one by one. Damped, the correction has at most 6.25 times the
+/// energy that the rows would need one by one, whatever the units. `system.lambda` is the last `solve_equations`'
 /// and not yet applied; returns whether it was changed. What else the rows do stays exact.
 ///
 /// Source: Y. Nakamura, H. Hanafusa, Inverse Kinematic Solutions With Singularity Robustness, J. Dyn. Sys., Meas.,
