@@ -2,9 +2,10 @@
 // lessons/catalogue/prices.inc, and holds costs that are counted with them against callgrind's count. Both draw
 // settings: every kind of rows, from one body to two hundred, every method and cure.
 //
-//   prices run COUNT SEED [METHOD]
-//                            under valgrind --tool=callgrind: runs that many settings, of one method if it is
-//                            named, and has callgrind write the instructions of each. Prints what each counted
+//   prices run COUNT SEED [ONLY]
+//                            under valgrind --tool=callgrind: draws that many settings, runs them, only those of
+//                            one method or one kind of rows if it is named, and has callgrind write the
+//                            instructions of each. Prints what each counted
 //   prices fit COUNTED DUMPS the prices, none below zero, with the least relative error, as a table of C++
 //   prices check COUNTED DUMPS  fails unless of 10 settings 9 are counted within 15 %, and of 100 at most one is
 //   more
@@ -39,6 +40,31 @@ constexpr const char* bob_models[] = {"bobs in the plane", "balls in the plane",
 
 constexpr int counts = std::tuple_size_v<Counts>;
 
+/// Accuracy as the input, which is no choice of the chooser's: the strength of such a "family" is its tolerance.
+template <class Base>
+Family to_a_tolerance(const std::string& name) {
+  Family family;
+  family.name = name;
+  family.cures = {Cure::none};
+  family.solves_rows = false;
+  family.setting = [](const Knobs& knobs) { return Setting{Controlled<Base>{knobs.strength}, knobs.substeps}; };
+  return family;
+}
+
+/// All that has prices.
+const std::vector<Family>& priced() {
+  static const std::vector<Family> all = [] {
+    std::vector<Family> found = families();
+    found.push_back(to_a_tolerance<Rattle>("RATTLE to a tolerance"));
+    found.push_back(to_a_tolerance<Generalised>("generalised, to a tolerance"));
+    return found;
+  }();
+  return all;
+}
+const Family& priced(std::string_view name) {
+  return *std::find_if(priced().begin(), priced().end(), [&](const Family& one) { return one.name == name; });
+}
+
 Cure cure_named(std::string_view name) {
   for (const Cure cure : {Cure::baumgarte, Cure::projection, Cure::split_impulse, Cure::soft})
     if (name_of(cure) == name) return cure;
@@ -50,7 +76,7 @@ std::array<bool, counts> paid_by(std::string_view part, bool solves_rows) {
   // row-solve, laid out, solve, pass, prepared, projected, written, body, contact, substep, step, planned
   if (part == "stepping") return {0, 1, 0, 0, 0, 0, 1, 1, 1, 1, 1, 0};
   if (!solves_rows) return {1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0};
-  if (std::any_of(families().begin(), families().end(), [&](const Family& one) { return one.name == part; }))
+  if (std::any_of(priced().begin(), priced().end(), [&](const Family& one) { return one.name == part; }))
     return {1, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, part == "direct"};
   return {1, 0, 0, 0, 0, 1, 1, 1, 0, 1, 0, 0};  // a cure
 }
@@ -132,6 +158,7 @@ Knobs drawn_knobs(const Family& family, Draws& draws) {
     knobs.strength = draws.between(0.02, 0.9);
   if (family.most_relaxation > 1) knobs.relaxation = draws.one_of({1.0, 1.3, 1.7});
   if (family.name == "Jacobi") knobs.relaxation = 0.4;
+  if (family.name.ends_with("to a tolerance") && !family.solves_rows) knobs.strength = draws.between(1e-3, 1e-1);
   return knobs;
 }
 
@@ -160,13 +187,20 @@ void run(const Problem& problem, const Family& family, Knobs knobs) {
   fmt::print("\n");
 }
 
-/// Of any method, or of one alone.
-void run(int count, unsigned seed, const char* method) {
+/// Of any method and kind of rows, or of one method or one kind alone.
+void run(int count, unsigned seed, std::string_view only) {
   Draws draws(seed);
+  const auto drawn = [&](const Problem& problem) {
+    const bool any = std::find(std::begin(kind_names), std::end(kind_names), only) == std::end(kind_names);
+    return any || kind_names[static_cast<int>(problem.start().row_kind())] == only;
+  };
+  const auto method =
+      std::find_if(priced().begin(), priced().end(), [&](const Family& one) { return one.name == only; });
   for (int i = 0; i < count; ++i) {
     const Problem problem = drawn_problem(draws);
-    const Family& family = method ? family_named(method) : families()[draws.below(families().size())];
-    run(problem, family, drawn_knobs(family, draws));
+    const Family& family = method != priced().end() ? *method : priced()[draws.below(priced().size())];
+    const Knobs knobs = drawn_knobs(family, draws);
+    if (drawn(problem)) run(problem, family, knobs);
   }
 }
 
@@ -211,8 +245,8 @@ void fit(RowKind kind, const std::vector<Counted>& all) {
   std::vector<const Counted*> runs;
   std::vector<double> rest;  // of each run, the share that is not paid for yet
   const auto parts_of = [](const Counted& one) {
-    return family_named(one.family).solves_rows ? std::vector<std::string>{one.family, "stepping", one.cure}
-                                                : std::vector<std::string>{one.family};
+    return priced(one.family).solves_rows ? std::vector<std::string>{one.family, "stepping", one.cure}
+                                          : std::vector<std::string>{one.family};
   };
   std::map<std::string, std::vector<std::size_t>> users;
   for (const Counted& one : all)
@@ -222,7 +256,7 @@ void fit(RowKind kind, const std::vector<Counted>& all) {
     }
   for (int round = 0; round < 4000; ++round)
     for (auto& [part, own] : prices) {
-      const Family& user = family_named(runs[users[part].front()]->family);
+      const Family& user = priced(runs[users[part].front()]->family);
       const auto paid = paid_by(part, user.solves_rows);
       for (std::size_t k = 0; k < counts; ++k) {
         if (!paid[k]) continue;
@@ -253,7 +287,7 @@ int check(const std::vector<Counted>& all) {
   for (const Counted& one : all) {
     if (one.kind == RowKind::boxes_in_space) continue;
     ++judged;
-    const Prices prices = prices_of(one.kind, family_named(one.family), cure_named(one.cure));
+    const Prices prices = prices_of(one.kind, priced(one.family), cure_named(one.cure));
     const double off = cost_of(one.counts, prices) / one.instructions - 1;
     good += std::abs(off) <= 0.15, bad += std::abs(off) > 0.3;
     if (std::abs(off) > 0.15) fmt::print("{:+4.0f} %  {}: {}\n", 100 * off, one.family, one.what);
@@ -268,7 +302,7 @@ int check(const std::vector<Counted>& all) {
 int main(int argc, char** argv) {
   const std::string command = argc > 1 ? argv[1] : "";
   if (command == "run" && (argc == 4 || argc == 5))
-    return run(std::stoi(argv[2]), static_cast<unsigned>(std::stoul(argv[3])), argv[4]), 0;
+    return run(std::stoi(argv[2]), static_cast<unsigned>(std::stoul(argv[3])), argc == 5 ? argv[4] : ""), 0;
   if (argc < 4)
     return std::cerr << "prices run COUNT SEED, prices fit COUNTED DUMPS, prices check COUNTED DUMPS\n", 2;
   const auto all = read(argv[2], argc - 3, argv + 3);
