@@ -23,12 +23,13 @@ struct Watched {
 };
 
 struct Tried {
-  double error = 0;  // largest distance of a centre from its place at any look [m]
-  double row_solves = 0, substeps = 0;
+  double error = 0;               // largest distance of a centre from its place at any look [m]
+  double substeps = 0, cost = 0;  // in instructions
 };
 
-/// A run in steps of at most `step` [s]; infinitely wrong where a step has no solution.
-Tried tried(const Watched& watched, const Method& method, double step) {
+/// A run in steps of at most `step` [s]; infinitely wrong where a step has no solution. Its cost by the prices of
+/// that name, if it is given.
+Tried tried(const Watched& watched, const Method& method, double step, std::string_view prices = "") {
   AnyScene scene = watched.problem.start();
   scene.use(method);
   const long steps = std::max(1L, std::lround(span / looks / step));
@@ -41,7 +42,7 @@ Tried tried(const Watched& watched, const Method& method, double step) {
   } catch (const std::runtime_error&) {
     return {INFINITY, 0, 0};
   }
-  run.row_solves = static_cast<double>(scene.row_solves());
+  run.cost = cost_of(scene.effort(), prices_of(scene.row_kind(), prices));
   run.substeps = static_cast<double>(scene.effort().substeps);
   return run;
 }
@@ -118,8 +119,8 @@ void accuracy_as_the_input(Page& page) {
   }
 
   const double tolerance = 1e-3;
-  const Tried own = tried(watched, Controlled<Rattle>{tolerance}, span);
-  const auto with_substeps = [&](int count) { return tried(watched, Rattle{.substeps = count}, span); };
+  const Tried own = tried(watched, Controlled<Rattle>{tolerance}, span, "RATTLE to a tolerance");
+  const auto with_substeps = [&](int count) { return tried(watched, Rattle{.substeps = count}, span, "RATTLE"); };
   int enough = 1, few = 0;  // substeps between two looks that are as good, and that are not
   while (enough < 100'000 && with_substeps(enough).error > own.error) few = enough, enough *= 2;
   while (enough - few > 1) {
@@ -127,10 +128,11 @@ void accuracy_as_the_input(Page& page) {
     (with_substeps(middle).error > own.error ? few : enough) = middle;
   }
   const Tried best = with_substeps(enough);
-  const double ratio = own.row_solves / best.row_solves;
+  const double ratio = own.cost / best.cost;
   page.text(
-      R"(Does that cost more? At @ m/s RATTLE is @ m off at most, for @ row-solves, rejected substeps included. The fewest fixed substeps that are as good are @ a second, for @ row-solves. @)",
-      course::typed(tolerance), Value(own.error, 2), own.row_solves, enough / (span / looks), best.row_solves,
+      R"(Does that cost more? At @ m/s RATTLE is @ m off at most, for @ instructions, rejected substeps included. The fewest fixed substeps that are as good are @ a second, for @ instructions. @)",
+      course::typed(tolerance), Value(own.error, 2), Value(own.cost, 3), enough / (span / looks),
+      Value(best.cost, 3),
       ratio < 0.9   ? say("So the tolerance costs @ % less.", Value(100 * (1 - ratio), 2))
       : ratio > 1.3 ? say("So the tolerance costs @ times as much, if you know that number.", Value(ratio, 2))
                     : std::string("So the tolerance costs about as much."));
