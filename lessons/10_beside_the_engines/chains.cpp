@@ -301,7 +301,7 @@ void chain_in_webassembly_of(const Setting& setting, const std::string& place, P
   const int links = setting.links, frames = frames_of(links);
   const double end_mass = setting.end_mass;
   const Scene<M> scene = chain_of<M>(links, end_mass);
-  const Field<M> field = field_of(scene, Kind::joints, From::home, most_in_space, Party::webassembly);
+  const Field<M> field = field_of(scene, Kind::joints, From::home, most_in_webassembly, Party::webassembly);
   const auto outcomes = outcomes_of(field, [&, exact = exact_places(links, end_mass)](const auto& who) {
     return hang<M>(who, scene, frames, exact);
   });

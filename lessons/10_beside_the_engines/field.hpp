@@ -16,6 +16,8 @@ constexpr double margin = 1e-6;   // [m, rad]: errors below are not compared; a 
 constexpr double most_of_a_pendulum = 32, most_in_space = 256;  // iterations a frame that are tried, of joints
 constexpr double most_of_contacts = engines::contact_iterations.back(),
                  most_of_a_wall_in_space = engines::contact_iterations.front();
+/// Of joints and of contacts: under node all engines share one process.
+constexpr double most_in_webassembly = 32;
 constexpr int settling = 60;  // frames in which a pile comes to its engine's own rest
 
 /// The name under which the course's solver takes part.

@@ -149,7 +149,7 @@ namespace {
 template <class M>
 void wall_in_webassembly_of(int base, const std::string& where, Page& page) {
   const Scene<M> scene = pyramid<M>(base);
-  const Field<M> field = field_of(scene, Kind::contacts, From::home, most_of_a_wall_in_space, Party::webassembly);
+  const Field<M> field = field_of(scene, Kind::contacts, From::home, most_in_webassembly, Party::webassembly);
   const auto still = outcomes_of(field, [&](const auto& who) { return end_of(who, scene, 0); });
   const auto moved = errors_of(still, &Wall::moved), overlap = errors_of(still, &Wall::overlap);
   page.text("The pyramid of step 6 @: the largest sideways displacement of a box from rest in @ s.", where,
