@@ -294,7 +294,8 @@ TEST_F(Site, APageThatIsNotLiveSaysWhy) {
 
 TEST_F(Site, SearchKnowsTheWordsOfEveryStep) {
   const Finished unpacked = run(fmt::format(
-      R"(/usr/bin/python3 -c "import re, base64, zlib; print(zlib.decompress(base64.b64decode(re.search('byhandSearch..(.*)..;', open('{}').read())[1]), -15).decode())")",
+      R"py(/usr/bin/python3 -c "import re, base64, zlib; script = open('{}').read(); \
+print(zlib.decompress(base64.b64decode(re.search('byhandSearch..(.*)..;', script)[1]), -15).decode())")py",
       (root() / "assets" / "search.js").string()));
   const std::string& index = unpacked.said;
   const Markup& lesson = pages_.at("99_fixture.html");
