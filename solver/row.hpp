@@ -49,8 +49,8 @@ double inverse_effective_mass(const Jacobian<M, K>& J, const Jacobian<M, K>& W, 
 }
 
 //! [17]
-/// (17) for one row: the impulse that makes JV + b vanish, 0 where J is zero or neither body moves. [N s] where C
-/// is in metres, [N s/m] for the C of (2).
+/// (17) for one row: the impulse that makes JV + b vanish, 0 where J is zero or neither body moves.
+/// [N s] where C is in metres, [N s/m] for the C of (2).
 template <class M>
 double impulse(const Jacobian<M, 1>& J, const Jacobian<M, 1>& W, const Velocity<M>& V1, const Velocity<M>& V2,
                double bias) {
