@@ -469,7 +469,11 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
       choice.passed.push_back(candidate.point);
       continue;
     }
-    // The search stopped it where it had passed a limit: its errors are those of the whole run.
+    // The search stopped it where it had passed a limit: the errors of the whole run count, if it is paid for.
+    if (choice.spent.work + candidate.point.cost * problem.scene().duration / frame > search.most) {
+      choice.at_its_bound = true;
+      continue;
+    }
     const Point whole = whole_run(problem, *candidate.point.family, candidate.point.knobs, wish);
     choice.spent += {1, work_of(whole)};
     if (whole.outcome == Outcome::good)
@@ -498,7 +502,8 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
         search.side_by_side(static_cast<int>(able.size()), [&](int i) {
           const auto at = static_cast<std::size_t>(i);
           again[at] = cheapest(problem, *able[at], tight, times * choice.best.point.cost, &work[at],
-                               std::min(search.most / 20, std::max(0.0, until - choice.spent.work) / 2));
+                               std::min(search.most / 20, std::max(0.0, until - choice.spent.work) /
+                                                              static_cast<double>(able.size())));
         });
         for (const Spent& one : work) choice.spent += one;
         if (std::any_of(again.begin(), again.end(), [](const Candidate& one) { return one.reached; })) break;
