@@ -8,6 +8,10 @@
 
 // One step of velocity stepping. It asks row solver and cure, and knows none by name.
 namespace byhand {
+
+/// A step whose impulses lead bodies where nobody looked is taken in up to so many parts.
+constexpr int most_parts = 64;
+
 namespace detail {
 
 /// Calls f with a choice, or with the one that a variant holds.
@@ -114,12 +118,13 @@ std::string refusal(const Scene<M>& scene, const VelocitySteppingWith<Solver, Cu
          "sweeps would";
 }
 
-/// The cure before the rows are solved: b of (21), and what else it begins with.
+/// The cure before the rows are solved: b of (21), as strong as for a whole substep [s], and what else it begins
+/// with.
 template <class M, class Cure>
-void begin_cure(const Cure& cure, Stage<M>& stage) {
+void begin_cure(const Cure& cure, double substep, Stage<M>& stage) {
   detail::with_choice(cure, [&](const auto& choice) {
     Correction correction;
-    if constexpr (requires { choice.correction(stage.h); }) correction = choice.correction(stage.h);
+    if constexpr (requires { choice.correction(substep); }) correction = choice.correction(substep);
     set_bias(correction, stage.h, stage.work.system);
     if constexpr (requires { choice.begin(stage); }) choice.begin(stage);
   });
@@ -142,20 +147,20 @@ void bounce(Stage<M>& stage) {
 }
 
 //! [step]
+/// One of the equal parts of a step [s]. Returns false where impulses lead bodies past what the search for
+/// contacts has seen.
 template <class M, class Solver, class Cure>
-void advance(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, double step, Work<M>& work) {
-  require_steppable(scene, method, step);
-  Attempt attempt(scene, work);
-  work.solution = {};
-  find_contacts(scene, step, work);  // the article's n, P1 and P2, from shapes
+bool take_part(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, double step, int parts,
+               Work<M>& work) {
+  find_contacts(scene, step / parts, work);  // the article's n, P1 and P2, from shapes
   detail::lay_out(scene, method.solver, work);
   work.contacts.write_impulses(work.system);
   Bodies<M>& bodies = scene.state();
-  const double h = step / method.substeps;
+  const double h = step / parts / method.substeps;
   detail::StageOf<M, Solver> stage(scene, work, h, method.solver);
-  for (int i = 0; i < method.substeps; ++i) {
-    write_rows(scene, h, work);       // J, C, M⁻¹Jᵀ at the current poses
-    begin_cure(method.drift, stage);  // b of (21), (22)
+  for (int left = method.substeps; left > 0; --left) {
+    write_rows(scene, h, work);                               // J, C, M⁻¹Jᵀ at the current poses
+    begin_cure(method.drift, step / method.substeps, stage);  // b of (21), (22)
     note_parting(scene, h, method.bounce_threshold, work.system, work.parting);
     damp(bodies, h);
     begin_turn(method.gyroscopic, bodies, h);
@@ -163,15 +168,40 @@ void advance(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, 
     add_applied(bodies, h);
     rescale_impulses(work, h);                                     // λ of last step, for the warm start
     detail::solve_rows(method.solver, bodies, work, Begin::step);  // (17) and (20) over all rows
+    if (parts < most_parts && !work.contacts.foresaw(scene, work.system, h, left * h)) return false;
     advance_poses(bodies, h);
     end_cure(method.drift, stage);
     end_turn(method.gyroscopic, bodies, h);
     bounce(stage);
   }
   work.contacts.read_impulses(work.system);
-  attempt.finish();
+  return true;
 }
 //! [step]
+
+/// Takes a part from `start` or, where its search for contacts has not seen enough, its halves.
+template <class M, class Solver, class Cure>
+void take_in_parts(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, double step, int parts,
+                   const State<M>& start, Work<M>& work) {
+  const Solution before = work.solution;
+  if (take_part(scene, method, step, parts, work)) return;
+  work.solution = before;
+  scene.state().pose = start.pose;
+  scene.state().velocity = start.velocity;
+  take_in_parts(scene, method, step, 2 * parts, start, work);
+  const State<M> middle{scene.bodies().pose, scene.bodies().velocity};
+  take_in_parts(scene, method, step, 2 * parts, middle, work);
+}
+
+template <class M, class Solver, class Cure>
+void advance(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, double step, Work<M>& work) {
+  require_steppable(scene, method, step);
+  Attempt attempt(scene, work);
+  work.solution = {};
+  work.contacts.begin_step();
+  take_in_parts(scene, method, step, 1, work.start, work);
+  attempt.finish();
+}
 
 /// Compiles the step with other row solvers or cures for one model; a source of theirs does so once.
 #define BYHAND_STEPPING(M, Solver, Cure)                                                    \

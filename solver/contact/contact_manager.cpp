@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "solver/constraints/contact_manifold.hpp"
-#include "solver/contact/meeting.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/support/each_model.hpp"
 
@@ -53,22 +52,22 @@ void for_each_made_of(const ContactPair<M>& pair, auto&& put) {
   }
 }
 
-/// Calls f(row, impulse) for each row made from a pair.
-void for_each_row(auto& pair, const std::vector<int>& row_of, auto&& f) {
-  int place = pair.constraint;
-  if (pair.one_manifold) {
-    for (int p = 0; p < 2; ++p) f(row_of[place] + p, pair.points[p].normal_impulse);
-    return f(row_of[place] + 2, pair.points[0].tangent_impulse[0]);
-  }
-  for (int p = 0; p < pair.size; ++p) {
-    f(row_of[place++], pair.points[p].normal_impulse);
-    if (pair.friction == 0) continue;
-    int row = row_of[place++];
-    for (auto& impulse : pair.points[p].tangent_impulse) f(row++, impulse);
-  }
-}
-
 }  // namespace
+
+template <class M>
+Manifold<M> points_of(const Bodies<M>& bodies, const ContactPair<M>& pair) {
+  const auto& [body1, body2] = pair.bodies;
+  const Pose<M>&pose1 = bodies.pose[body1], &pose2 = bodies.pose[body2];
+  Manifold<M> manifold;
+  manifold.normal = pair.normal;
+  for (int p = 0; p < pair.size; ++p) {
+    const auto& [feature, arms, normal_impulse, tangent_impulse] = pair.points[p];
+    const Linear<M> P1 = anchor<M, double>(pose1, in_world<M, double>(pose1, arms.first)),
+                    P2 = anchor<M, double>(pose2, in_world<M, double>(pose2, arms.second));
+    manifold.add({P1, P2, pair.normal.dot(P2 - P1), feature});
+  }
+  return manifold;
+}
 
 template <class M>
 bool ContactManager<M>::find(const Scene<M>& scene, double step) {
@@ -84,27 +83,13 @@ bool ContactManager<M>::find(const Scene<M>& scene, double step) {
     joined_.clear();
     for (const auto& entry : scene.entries()) joined_.push_back(std::minmax(entry.body1, entry.body2));
     std::sort(joined_.begin(), joined_.end());
+    thinnest_ = std::numeric_limits<double>::infinity();
+    for (const Shape<M>& shape : scene.colliders().shapes)
+      thinnest_ = std::min(thinnest_, half_thickness<M>(shape));
   }
   time_ = scene.colliders().lookahead * step;
   if (!update_bounds(scene, unchanged) && unchanged) return false;
-  const auto& masses = scene.bodies().inverse_mass;
-  const auto& stamps = scene.colliders().stamps;
-  const auto& layers = scene.colliders().layers;
-  found_.clear();
-  auto before = pairs_.begin();
-  for (const BodyPair& bodies : broad_phase_.overlapping(bounds_)) {
-    const auto& [i, j] = bodies;
-    if ((!moves(masses[i]) && !moves(masses[j])) || !meet(layers[i], layers[j])) continue;
-    if (std::binary_search(joined_.begin(), joined_.end(), bodies)) continue;
-    while (before != pairs_.end() && before->bodies < bodies) ++before;
-    const bool cached =
-        before != pairs_.end() && before->bodies == bodies && before->stamps == std::array{stamps[i], stamps[j]};
-    if (cached && !moved_[i] && !moved_[j])
-      found_.push_back(*before);
-    else
-      collide(scene, bodies, scene.colliders().margin, time_, cached ? &*before : nullptr);
-  }
-  inner_edges_.drop(scene, found_);
+  search(scene, time_);
   std::swap(pairs_, found_);
   const auto alike = [](const Pair& a, const Pair& b) { return a.bodies == b.bodies && a.size == b.size; };
   const bool same = unchanged && std::equal(pairs_.begin(), pairs_.end(), found_.begin(), found_.end(), alike);
@@ -139,16 +124,28 @@ template <class M>
 void ContactManager<M>::read_impulses(const System<M>& system) {
   for (Pair& pair : pairs_)
     for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
-  std::swap(pressed_, pressed_before_);
-  pressed_.clear();
+  const auto before = static_cast<std::ptrdiff_t>(pressed_.size());
   for (const Pair& pair : pairs_)
     if (pair.presses()) pressed_.push_back(pair.bodies);
+  std::inplace_merge(pressed_.begin(), pressed_.begin() + before, pressed_.end());
+  pressed_.erase(std::unique(pressed_.begin(), pressed_.end()), pressed_.end());
+}
+
+template <class M>
+void ContactManager<M>::begin_step() {
+  std::swap(pressed_, pressed_before_);
+  pressed_.clear();
 }
 
 template <class M>
 void ContactManager<M>::expect_motion(const Scene<M>& scene, int body) {
   velocities_[body] = expected_velocity(scene, body, time_);
   rim_speeds_[body] = rim_speed<M>(scene.colliders().shapes[body], velocities_[body]);
+}
+
+template <class M>
+Mover<M> ContactManager<M>::mover(const Scene<M>& scene, int body) const {
+  return {scene.colliders().shapes[body], scene.bodies().pose[body], velocities_[body], rim_speeds_[body]};
 }
 
 /// Updates the expected motion of all bodies, and pose and bounds of all or, in an unchanged scene, of those that
@@ -179,6 +176,29 @@ bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged) {
   return any;
 }
 
+/// Finds the contacts of `time` [s] within the bounds: those of bodies that have moved anew.
+template <class M>
+void ContactManager<M>::search(const Scene<M>& scene, double time) {
+  const auto& masses = scene.bodies().inverse_mass;
+  const auto& stamps = scene.colliders().stamps;
+  const auto& layers = scene.colliders().layers;
+  found_.clear();
+  auto before = pairs_.begin();
+  for (const BodyPair& bodies : broad_phase_.overlapping(bounds_)) {
+    const auto& [i, j] = bodies;
+    if ((!moves(masses[i]) && !moves(masses[j])) || !meet(layers[i], layers[j])) continue;
+    if (std::binary_search(joined_.begin(), joined_.end(), bodies)) continue;
+    while (before != pairs_.end() && before->bodies < bodies) ++before;
+    const bool cached =
+        before != pairs_.end() && before->bodies == bodies && before->stamps == std::array{stamps[i], stamps[j]};
+    if (cached && !moved_[i] && !moved_[j])
+      found_.push_back(*before);
+    else
+      collide(scene, bodies, scene.colliders().margin, time, cached ? &*before : nullptr);
+  }
+  inner_edges_.drop(scene, found_);
+}
+
 /// Adds the contact of two bodies to `found_`: the points that would be nearer than `margin` [m] after a `time`
 /// [s] of approaching as now. Points that were there `before` keep their impulses, those of friction turned into
 /// the new tangents.
@@ -188,11 +208,7 @@ void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, d
   const auto& surfaces = scene.colliders().surfaces;
   const auto& stamps = scene.colliders().stamps;
   const auto [body1, body2] = bodies;
-  const auto mover = [&](int body) {
-    return Mover<M>{scene.colliders().shapes[body], scene.bodies().pose[body], velocities_[body],
-                    rim_speeds_[body]};
-  };
-  const Mover<M> first = mover(body1), second = mover(body2);
+  const Mover<M> first = mover(scene, body1), second = mover(scene, body2);
   const double way = time * approach(first, second);
   Manifold<M> manifold = byhand::collide<M>(first.shape, first.pose, second.shape, second.pose, margin + way,
                                             before ? before->reference : 0);
@@ -264,7 +280,9 @@ void ContactManager<M>::write_constraints(bool same, int before) {
   }
 }
 
-#define BYHAND_INSTANTIATE(M) template class ContactManager<M>
+#define BYHAND_INSTANTIATE(M)       \
+  template class ContactManager<M>; \
+  template Manifold<M> points_of(const Bodies<M>&, const ContactPair<M>&)
 BYHAND_FOR_EACH_TURNING_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -8,6 +8,7 @@
 #include "solver/constraints/anchors.hpp"
 #include "solver/contact/inner_edges.hpp"
 #include "solver/contact/manifold.hpp"
+#include "solver/contact/meeting.hpp"
 #include "solver/contact/sweep_and_prune.hpp"
 #include "solver/scene.hpp"
 
@@ -40,6 +41,25 @@ struct ContactPair {
   }
 };
 
+/// Calls f(row, impulse) for each row made from a pair.
+void for_each_row(auto& pair, const std::vector<int>& row_of, auto&& f) {
+  int place = pair.constraint;
+  if (pair.one_manifold) {
+    for (int p = 0; p < 2; ++p) f(row_of[place] + p, pair.points[p].normal_impulse);
+    return f(row_of[place] + 2, pair.points[0].tangent_impulse[0]);
+  }
+  for (int p = 0; p < pair.size; ++p) {
+    f(row_of[place++], pair.points[p].normal_impulse);
+    if (pair.friction == 0) continue;
+    int row = row_of[place++];
+    for (auto& impulse : pair.points[p].tangent_impulse) f(row++, impulse);
+  }
+}
+
+/// Where the points of a pair are at the bodies' present poses.
+template <class M>
+Manifold<M> points_of(const Bodies<M>& bodies, const ContactPair<M>& pair);
+
 /// Finds a scene's contacts from its shapes, and keeps the constraints made from them, whose rows follow those of
 /// the scene, and their impulses for the warm start of the next step. Particles have no shapes and no contacts.
 template <class M>
@@ -57,8 +77,15 @@ class ContactManager {
   void follow_balls(const Scene<M>& scene, System<M>& system);
   /// Sets λ of the contacts to their impulses of the last step.
   void write_impulses(System<M>& system) const;
-  /// Keeps λ of the contacts for the next step.
+  /// Keeps λ of the contacts for the next step, or its next part.
   void read_impulses(const System<M>& system);
+  /// Whether the contacts are still the right ones at the velocities that their rows have left: for `left` [s]
+  /// until the next call of `find` nothing sinks in, and in a substep h [s] no box that is pressed leaves the
+  /// tangent of its turn, by more than half of the thinner body's half thickness. It looks again only for bodies
+  /// that part from the motion that `find` expected, and not without a lookahead.
+  bool foresaw(const Scene<M>& scene, const System<M>& system, double h, double left);
+  /// Begins a step. Those that pressed in the last one become those of the step before.
+  void begin_step();
 
   /// The constraints that were made of the pairs; the friction of a Contact names its place.
   const ConstraintList<M>& constraints() const { return constraints_; }
@@ -72,6 +99,10 @@ class ContactManager {
 
   void expect_motion(const Scene<M>& scene, int body);
   bool update_bounds(const Scene<M>& scene, bool unchanged);
+  void search(const Scene<M>& scene, double time);
+  Mover<M> mover(const Scene<M>& scene, int body) const;
+  bool turns_too_far(const Scene<M>& scene, const Pair& pair, double h) const;
+  bool sinks_in(const Scene<M>& scene, const Pair& pair, double time) const;
   void collide(const Scene<M>& scene, const BodyPair& bodies, double margin, double time, const Pair* before);
   void write_constraints(bool same, int before);
   void overwrite_constraints(const Pair& pair, int before);
@@ -88,6 +119,7 @@ class ContactManager {
   std::vector<Pair> pairs_, found_;
   ConstraintList<M> constraints_;
   std::vector<BodyPair> pressed_, pressed_before_;
+  double thinnest_ = 0;        // half thickness of all shapes [m]
   double time_ = 0;            // that the last call of `find` looked ahead [s]
   std::uint64_t version_ = 0;  // of the scene whose contacts these are
 };
@@ -101,6 +133,8 @@ class ContactManager<Model<L, 0>> {
   void follow_balls(const Scene<M>&, System<M>&) {}
   void write_impulses(System<M>&) const {}
   void read_impulses(const System<M>&) {}
+  bool foresaw(const Scene<M>&, const System<M>&, double, double) { return true; }
+  void begin_step() {}
   const ConstraintList<M>& constraints() const { return none_; }
 
  private:

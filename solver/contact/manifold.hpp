@@ -28,6 +28,11 @@ struct Manifold {
   const ContactPoint<M>* begin() const { return points.data(); }
   const ContactPoint<M>* end() const { return points.data() + size; }
   bool empty() const { return size == 0; }
+  double gap() const {  // the least separation [m]
+    double least = std::numeric_limits<double>::infinity();
+    for (const ContactPoint<M>& point : *this) least = std::min(least, point.separation);
+    return least;
+  }
   void add(const ContactPoint<M>& point) { points[size++] = point; }
 };
 

@@ -1,7 +1,5 @@
 #include "solver/contact/meeting.hpp"
 
-#include <algorithm>
-
 #include "solver/support/each_model.hpp"
 
 namespace byhand {
@@ -10,13 +8,6 @@ namespace {
 /// Nearer than this share of the margin, shapes touch, and their normal is what it will be.
 constexpr double touching = 0.05;
 constexpr int most_advances = 32;
-
-template <class M>
-double gap(const Manifold<M>& manifold) {
-  return std::min_element(manifold.begin(), manifold.end(),
-                          [](const auto& a, const auto& b) { return a.separation < b.separation; })
-      ->separation;
-}
 
 /// ω × r: what turning adds to the velocity of a mover's point that is `arm` [m] from its centre [m/s].
 template <class M>
@@ -55,12 +46,12 @@ void move_to_meeting(const Mover<M>& first, const Mover<M>& second, double time,
     return leave_out_above<M>(manifold.normal, manifold.points[0].p1, first, second, time, margin, manifold);
   if (std::holds_alternative<HalfSpace<M>>(second.shape))
     return leave_out_above<M>(-manifold.normal, manifold.points[0].p2, second, first, time, margin, manifold);
-  if (const double now = gap(manifold); now <= touching * margin || now >= way) return;
+  if (const double now = manifold.gap(); now <= touching * margin || now >= way) return;
   const double turning = first.rim_speed + second.rim_speed;
   double passed = 0;
   Pose<M> pose1 = first.pose, pose2 = second.pose;
   for (int advance = 0; advance < most_advances; ++advance) {
-    const double left = gap(manifold);
+    const double left = manifold.gap();
     const double speed = turning + manifold.normal.dot(first.linear() - second.linear());
     if (left <= touching * margin) break;
     if (speed <= 0 || passed == time) {

@@ -25,6 +25,20 @@ double rim_speed(const Shape<M>& shape, const Velocity<M>& velocity) {
   return box ? velocity.template tail<M::angular>().norm() * box->half().norm() : 0;
 }
 
+/// The most that a velocity moves any point of a shape [m/s].
+template <class M>
+double top_speed(const Shape<M>& shape, const Velocity<M>& velocity) {
+  return velocity.template head<M::linear>().norm() + rim_speed<M>(shape, velocity);
+}
+
+/// Half of what a shape measures where it is thinnest [m]; infinite for a half-space.
+template <class M>
+double half_thickness(const Shape<M>& shape) {
+  if (const auto* box = std::get_if<Box<M>>(&shape)) return box->half().minCoeff();
+  if (const auto* ball = std::get_if<Ball<M>>(&shape)) return ball->radius;
+  return std::numeric_limits<double>::infinity();
+}
+
 /// How fast the gap between p1 and p2 closes along the normal [m/s], negative where it opens.
 template <class M>
 double closing_speed(const Mover<M>& first, const Mover<M>& second, const Linear<M>& normal,
