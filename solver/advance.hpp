@@ -138,11 +138,24 @@ void end_cure(const Cure& cure, Stage<M>& stage) {
   });
 }
 
-/// Solves bouncing contacts a second time, after the poses have moved.
+/// Turns each ω back to the pose at which the rows were written, or on from there: it turns with its body.
+inline void turn_velocities(const std::vector<Rotation<SpaceBody, double>>& rotations, bool back,
+                            Bodies<SpaceBody>& bodies) {
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    const auto turned = bodies.pose[i].rotation * rotations[i].conjugate();
+    Eigen::Ref<Eigen::Vector3d> omega = bodies.velocity[i].tail<3>();
+    omega = (back ? turned.conjugate() : turned) * omega;
+  }
+}
+
+/// Solves bouncing contacts a second time, after the poses have moved. In space the inertia has turned with them:
+/// seen from each body the rows are still the same, so that a bounce makes no energy there either.
 template <class M>
 void bounce(Stage<M>& stage) {
   if (!set_bounce(stage.work.parting, stage.work.system)) return;
+  if constexpr (M::angular == 3) turn_velocities(stage.work.rotations, true, stage.scene.state());
   stage.solve_rows_again();
+  if constexpr (M::angular == 3) turn_velocities(stage.work.rotations, false, stage.scene.state());
   forget_bounce(stage.work.parting, stage.work.system);
 }
 

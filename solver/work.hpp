@@ -29,7 +29,8 @@ struct StepWork {
 
   System<M> system;
   ContactManager<M> contacts;
-  std::vector<double> parting;  // by row, the least rate that a bounce leaves
+  std::vector<double> parting;                 // by row, the least rate that a bounce leaves
+  std::vector<Rotation<M, double>> rotations;  // in space: by body, when the rows were written
   Layout layout = Layout::none;
   std::uint64_t version = 0;  // of the scene when it was laid out; 0 to lay it out anew
   double h = 0;               // the substep that λ belongs to [s]
@@ -49,6 +50,10 @@ template <class M>
 void write_rows(const Scene<M>& scene, double h, StepWork<M>& work) {
   work.contacts.follow_balls(scene, work.system);
   scene.write_rows(work.system, h, work.contacts.constraints());
+  if constexpr (M::angular == 3) {
+    work.rotations.clear();
+    for (const Pose<M>& pose : scene.bodies().pose) work.rotations.push_back(pose.rotation);
+  }
 }
 
 /// λ is force times h: a new time step rescales it, so that the warm start keeps the forces.

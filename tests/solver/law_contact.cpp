@@ -87,6 +87,28 @@ TEST(LawA9, ASlowTouchDoesNotBounceAndALongFallEndsAtRest) {
   EXPECT_NEAR(simulation.scene.bodies().pose[1].position.y(), 0.5, 1e-12);
 }
 
+// A slender body's inertia turns with it, noticeably from the start of a step to its end.
+TEST(LawA9, ASlenderBarGainsNoEnergyByBouncing) {
+  using M = SpaceBody;
+  for (const double thickness : {0.02, 0.1, 0.7})
+    for (const auto& [e, friction] : {std::pair{0.5, 0.0}, {0.5, 0.3}, {0.9, 0.0}, {0.9, 0.3}})
+      for (int i = 0; i < 40; ++i) {
+        const Surface surface{.friction = friction, .restitution = e};
+        const Eigen::Vector3d half(0.5, thickness / 2, thickness / 2);
+        const Pose<M> pose{{0, 0.6 + 0.01 * i, 0},
+                           Eigen::Quaterniond(Eigen::AngleAxisd(0.3 + 0.13 * i, Eigen::Vector3d(0.8, 0, 0.6)))};
+        const Velocity<M> V = (Velocity<M>() << 1, -3, 0, 5 * std::cos(3.0 * i), 0, 2).finished();
+        Scene<M> scene;
+        scene.set_shape(scene.add_body(Eigen::Vector3d(0, 0, 0), fixed<M>()), HalfSpace<M>{}, surface);
+        scene.set_shape(scene.add_body(pose, box<M>(1, half), V), Box<M>{half}, surface);
+        Simulation<M> simulation{std::move(scene), {}};
+        const double first = energy_of_parabolas(simulation.scene, h);
+        double most = first;
+        run(simulation, 2, h, [&] { most = std::max(most, energy_of_parabolas(simulation.scene, h)); });
+        EXPECT_LE(most, (1 + 1e-6) * first) << thickness << ' ' << e << ' ' << friction << ' ' << i;
+      }
+}
+
 /// A ball in free fall that is thrown back by the article's row, b = e JV, once it overlaps: what the second solve
 /// after the move is there to avoid.
 std::vector<double> peaks_by_overlap(int count) {
