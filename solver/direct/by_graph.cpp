@@ -149,7 +149,9 @@ Solution ByGraph::solve_bounded_loops(System<M>& system, Bodies<M>& bodies, ByGr
     work.by_newton = true;
     begin = Begin::resume;
   }
-  Solution solution = stalled.solve(system, bodies, work.newton, begin);
+  SemismoothNewton newton = stalled;
+  if (work.unlike) newton.rounds *= 5;
+  Solution solution = newton.solve(system, bodies, work.newton, begin);
   if (!solution.converged) {  // sweeps go on; where masses are alike they are content with less
     ConjugateSweeps sweeps = all_sweeps();
     if (work.unlike) sweeps.tolerance = stalled.tolerance;

@@ -17,14 +17,14 @@ constexpr Surface rough{.friction = 0.6};
 
 /// Cubes of these masses [kg], one on the other: each side is `growth` times that of the cube below, and each cube
 /// lies off the axis by up to so much [m].
-Scene<M> cubes(const std::vector<double>& masses, double off = 0, double growth = 1) {
+Scene<M> cubes(const std::vector<double>& masses, double off = 0, double growth = 1, Surface surface = rough) {
   Scene<M> scene;
-  scene.set_shape(scene.add_body({0, 0, 0}, fixed<M>()), HalfSpace<M>{{0, 1, 0}}, rough);
+  scene.set_shape(scene.add_body({0, 0, 0}, fixed<M>()), HalfSpace<M>{{0, 1, 0}}, surface);
   double height = 0, side = 1;
   for (std::size_t i = 0; i < masses.size(); ++i, side *= growth) {
     const Linear<M> sides = Linear<M>::Constant(side),
                     place(off * (i % 2), height + 0.5 * side, 0.7 * off * (i % 3));
-    scene.set_shape(scene.add_body(place, box<M>(masses[i], sides)), Box<M>{sides}, rough);
+    scene.set_shape(scene.add_body(place, box<M>(masses[i], sides)), Box<M>{sides}, surface);
     height += side;
   }
   return scene;
@@ -63,6 +63,15 @@ TEST(CubesOfUnlikeMass, DoNotSinkIntoEachOtherInEitherOrder) {
       EXPECT_LE(run.moved, 1e-6) << masses[0] << " kg below " << masses[1] << " kg";
       EXPECT_EQ(run.unconverged, 0) << masses[0] << " kg below " << masses[1] << " kg";
       EXPECT_LE(run.rounds, 20) << masses[0] << " kg below " << masses[1] << " kg";
+    }
+}
+
+TEST(CubesOfUnlikeMass, StandAsATowerOffTheAxisOnWhatIsSlippery) {
+  for (const double off : {0.0, 0.07, 0.14, 0.2, 0.3})
+    for (const double friction : {0.2, 0.3, 0.6}) {
+      const Seen run = by_default(cubes({1, 1e3, 1e6}, off, 1, {.friction = friction}), 5);
+      EXPECT_LE(run.moved, 1e-5) << off << ' ' << friction;
+      EXPECT_LE(run.unconverged, 2) << off << ' ' << friction;
     }
 }
 
