@@ -121,7 +121,7 @@ void substeps_or_sweeps(Page& page) {
 
   const Problem heavy("chain", {{"links", 50}, {"end_mass", 100}});
   constexpr double most = 6e5;  // instructions per frame
-  const Survey& all = survey(page, heavy, swing_errors, most, 60);
+  const Survey& all = survey(page, heavy, swing_errors, most, 150);
   page.text(
       R"(Now a hard case: @ links, the last @ times as heavy as the others, released level. By the laws of lesson 8
       each digit takes sweeps in proportion to the length and to the mass ratio, and no number of sweeps helps where
