@@ -95,19 +95,25 @@
   layout.done = layout.narrow.matches ? layOut().catch(() => {}) : Promise.resolve();
   layout.narrow.addEventListener('change', () => layOut().then(() => document.dispatchEvent(new Event('laidout')), () => {}));
 
-  // A formula that is a little too wide is set smaller. What is wider still can be scrolled with the keyboard.
+  // A formula that is a little too wide is set smaller. What is wider still can be scrolled with the keyboard. All is
+  // measured at once, before anything is set: each change between two measurements would lay the page out anew.
   const smallest = 0.75;
-  const fit = (part = document) => {
-    for (const box of part.querySelectorAll('.formula, .scroll, .picture, pre')) {
-      if (box.matches('.formula')) {
-        box.style.fontSize = '';
-        if (box.scrollWidth > box.clientWidth) box.style.fontSize = `${Math.max(smallest, 0.99 * box.clientWidth / box.scrollWidth)}em`;
-      }
-      if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
+  const fit = (parts = [document]) => {
+    const boxes = parts.flatMap(part => [...part.querySelectorAll('.formula, .scroll, .picture, pre')]);
+    for (const box of boxes) if (box.matches('.formula')) box.style.fontSize = '';
+    const measured = boxes.map(box => ({ box, room: box.clientWidth, width: box.scrollWidth }));
+    for (const { box, room, width } of measured) {
+      const share = box.matches('.formula') && width > room ? Math.max(smallest, 0.99 * room / width) : 1;
+      if (share < 1) box.style.fontSize = `${share}em`;
+      if (share * width > room + 1) box.tabIndex = 0;
       else box.removeAttribute('tabindex');
     }
   };
-  layout.fit = fit;
+  const unfitted = new Set();
+  layout.fitSoon = part => {
+    if (!unfitted.size) requestAnimationFrame(() => { fit([...unfitted]); unfitted.clear(); });
+    unfitted.add(part);
+  };
   addEventListener('resize', () => fit());
   addEventListener('load', () => fit());
   document.addEventListener('toggle', () => fit(), true);

@@ -193,7 +193,13 @@
     }
 
     get lesson() { return this.milliseconds < quick ? atOnce : takingTime; }
-    get distance() {
+    get distance() { return this.measured ?? this.measure(); }
+    // Where the page is written and measured in turn, it is laid out anew each time: `measured` holds until the next frame.
+    static measureAll() {
+      for (const step of steps) step.measured = step.measure();
+      requestAnimationFrame(() => steps.forEach(step => { step.measured = undefined; }));
+    }
+    measure() {
       if (!this.section.getClientRects().length) return Infinity;  // one figure is shown alone
       const { top, bottom } = this.section.getBoundingClientRect();
       return top > innerHeight ? top - innerHeight : bottom < 0 ? -bottom : 0;
@@ -342,7 +348,7 @@
       before.after(next);
       if (next.dataset.film) this.adopt(next);
       linkPages(next);
-      byhandLayout.fit(next);
+      byhandLayout.fitSoon(next);
       this.mark(next);
       return next;
     }
@@ -488,6 +494,7 @@
 
   async function take(name, value, moving) {
     changed = performance.now();
+    Step.measureAll();
     const { typed } = parameters.get(name);
     if (!moving) {  // a slider stays within its range
       const answer = await atOnce.ask({ ask: 'check', settings: { [name]: value } });
