@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -51,10 +52,24 @@ struct Unwrap {
   static void unwrap(std::string& prose) { prose = unwrapped(prose); }
 };
 
+constexpr std::string_view quote = "“", unquote = "”";
+
+std::string_view sentence_of(const Claim& verdict) {
+  std::string_view sentence = verdict.quantity;
+  sentence.remove_prefix(quote.size());
+  sentence.remove_suffix(unquote.size());
+  return sentence;
+}
+
 }  // namespace
 
 void Page::add(Item item) {
   std::visit(Unwrap{}, item);
+  if (const auto* text = std::get_if<Text>(&item)) {
+    // As their sentences stand in it: the arguments of a call are computed in any order.
+    const auto place = [&](const Claim& verdict) { return text->words.find(sentence_of(verdict)); };
+    std::ranges::stable_sort(verdicts_, {}, place);
+  }
   items_.push_back(std::move(item));
   for (Claim& verdict : verdicts_) items_.emplace_back(std::move(verdict));
   verdicts_.clear();
@@ -158,7 +173,8 @@ std::string Page::verdict(const std::vector<Judgement>& sentences) {
     if (!when.met) continue;
     const Condition judged = both(when, law);
     const std::string sentence = unwrapped(say);
-    verdicts_.push_back({.quantity = fmt::format("“{}”", sentence), .source = "the sentence", .judged = judged});
+    verdicts_.push_back(
+        {.quantity = fmt::format("{}{}{}", quote, sentence, unquote), .source = "the sentence", .judged = judged});
     return sentence;
   }
   return {};

@@ -122,6 +122,16 @@ TEST(Verdict, IsAClaimBelowItsText) {
   EXPECT_THAT(claims(page), SizeIs(1)) << "claimed once";
 }
 
+// Compilers differ in which argument of a call they compute first.
+TEST(Verdict, ComesWhereItsSentenceStandsInTheText) {
+  Page page;
+  const std::string last = said(page, 0.95), first = said(page, 0.25);
+  page.text("@ @", first, last);
+  ASSERT_THAT(claims(page), SizeIs(2));
+  EXPECT_EQ(claims(page)[0].quantity, "“The error is halved.”");
+  EXPECT_EQ(claims(page)[1].quantity, "“The error stays.”");
+}
+
 TEST(Verdict, SaysAndClaimsNothingWhereNoSentenceFits) {
   for (const double ratio : {0.5, 0.7, 0.9, std::nan("")}) {
     Page page;
