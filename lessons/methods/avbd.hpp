@@ -47,7 +47,7 @@ struct Avbd {
 
   int iterations = 10;    // >= 1
   double alpha = 0.95;    // share of a hard row's C₀ that stays, in [0, 1]
-  double beta = 1000;     // growth of k in the row's unit per unit of C [1/m] >= 0
+  double beta = 100;      // growth of k in the row's unit per unit of C [1/m] >= 0; with 300 piles explode
   double memory = 0.99;   // share of k, and with α of Λ, kept from step to step, in [0, 1]
   double softest = 1;     // smallest k of a hard row, in the row's unit > 0
   double stiffest = 3e5;  // largest > 0
