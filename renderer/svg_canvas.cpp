@@ -319,11 +319,15 @@ class SvgCanvas::Surface : public DrawingSurface {
   // A line with its subscripts and superscripts.
   static std::string spans(std::string_view line, double size) {
     std::string all;
-    double height = 0;  // of the baseline so far, in sizes
+    double height = 0;     // of the baseline so far, in sizes
+    bool leaning = false;  // the letter before
     for (const Font::Piece& piece : Font::pieces(line)) {
-      const bool plain = piece.shift == height && piece.factor == 1 && !piece.italic;
+      const bool touches = leaning && piece.words.starts_with("ᵀ");  // which a J of a page's own font reaches
+      const bool plain = piece.shift == height && piece.factor == 1 && !piece.italic && !touches;
+      leaning = piece.italic;
       if (!plain) {
         all += "<tspan";
+        if (touches) all += attribute("dx", 0.12 * size);
         if (piece.shift != height) all += attribute("dy", (height - piece.shift) * size);
         if (piece.italic) all += " font-style=\"italic\"";
         if (piece.factor != 1) all += attribute("font-size", piece.factor * size);
