@@ -78,7 +78,7 @@ void ten_seconds(const Setting& setting, Page& page) {
       say("The seven lines, @ s from @°: C never falls, and the energy never rises.", seconds, setting.release()),
       chart_of(plain_step, {.L = length, .m = mass, .release = radians(setting.release()), .h = h}));
   page.text(
-      R"(The solver does the same for any bodies and constraints (`advance` in solver/step.cpp). Here are its @ seconds
+      R"(The solver does the same for any bodies and constraints (`advance` in solver/advance.hpp). Here are its @ seconds
       from @°, with C of (2) beneath.)",
       seconds, setting.release());
 
