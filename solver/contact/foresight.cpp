@@ -12,10 +12,19 @@ template <class M>
 bool ContactManager<M>::foresaw(const Scene<M>& scene, const System<M>& system, double h, double left) {
   const auto& shapes = scene.colliders().shapes;
   if (shapes.empty() || time_ == 0) return true;
-  bool any = false;
+  const double thin = 0.5 * thinnest_;
+  bool any = false, turning = false;  // any that parts from what was expected; any that turns far
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Velocity<M>& velocity = scene.bodies().velocity[i];
-    moved_[i] = left * top_speed<M>(shapes[i], velocity - velocities_[i]) > 0.5 * thinnest_;
+    const Velocity<M> change = velocity - velocities_[i];
+    const auto* box = std::get_if<Box<M>>(&shapes[i]);
+    const double reach2 = box ? 0.25 * box->sides.squaredNorm() : 0;  // r²
+    const double spin2 = velocity.template tail<M::angular>().squaredNorm();
+    turning = turning || h * h * h * h * spin2 * spin2 * reach2 > thinnest_ * thinnest_;
+    // (|v| + |ω|r)² <= 2(v² + ω²r²), which needs no root.
+    const double most2 = 2 * (change.template head<M::linear>().squaredNorm() +
+                              change.template tail<M::angular>().squaredNorm() * reach2);
+    moved_[i] = left * left * most2 > thin * thin && left * top_speed<M>(shapes[i], change) > thin;
     if (!moved_[i]) continue;
     velocities_[i] = velocity;
     rim_speeds_[i] = rim_speed<M>(shapes[i], velocity);
@@ -24,6 +33,7 @@ bool ContactManager<M>::foresaw(const Scene<M>& scene, const System<M>& system, 
     any = true;
   }
   for (Pair& pair : pairs_) {
+    if (!turning) break;
     if (!turns_too_far(scene, pair, h)) continue;
     bool pressed = false;
     for_each_row(pair, system.row_of, [&](int row, double) { pressed = pressed || system.lambda[row] != 0; });
