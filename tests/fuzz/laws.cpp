@@ -67,13 +67,14 @@ std::string gives_up(const Recipe<M>& recipe, const VelocityStepping& method) {
   return {};
 }
 
-/// V = V₀ + h g + M⁻¹Jᵀλ, (20) of all rows.
+/// V = V₀ + h g + M⁻¹Jᵀλ, (20) of all rows. Of a step in parts there is only the λ of the last one.
 template <class M>
 std::string impulses_miss(const Recipe<M>& recipe, const VelocityStepping& choice) {
   VelocityStepping method = choice;
   method.gyroscopic = Gyroscopic::none;
   double begun_with = 0;  // what the warm start came from, and leaves rounding of
   return watch<M>(recipe, method, [&](const Simulation<M>& simulation, std::vector<Velocity<M>> V) -> std::string {
+    if (simulation.work.h < h) return {};
     const System<M>& system = simulation.work.system;
     double size = 0;
     for (std::size_t i = 0; i < V.size(); ++i) {
