@@ -127,8 +127,13 @@ void ContactManager<M>::read_impulses(const System<M>& system) {
   const auto before = static_cast<std::ptrdiff_t>(pressed_.size());
   for (const Pair& pair : pairs_)
     if (pair.presses()) pressed_.push_back(pair.bodies);
+  if (before == 0) return;
+  // Of an earlier part of the step those count too that are still near.
   std::inplace_merge(pressed_.begin(), pressed_.begin() + before, pressed_.end());
   pressed_.erase(std::unique(pressed_.begin(), pressed_.end()), pressed_.end());
+  std::erase_if(pressed_, [&](const BodyPair& bodies) {
+    return !std::ranges::binary_search(pairs_, bodies, {}, &Pair::bodies);
+  });
 }
 
 template <class M>
