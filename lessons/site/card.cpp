@@ -47,7 +47,7 @@ void write_card(const std::vector<RecordedStep>& steps, const std::filesystem::p
   const std::optional<Figure> picture = first_drawing(steps);
   if (!picture) return;
   course::write_whole(folder / "card.svg", without_letters(drawn(*picture, renderer::space_picture_url)));
-  PictureDrawer drawer({"share", 960, 540, 30});
+  PictureDrawer drawer({"share", 640, 360, 30});
   course::write_whole(folder / "card.png",
                       renderer::encode_png(drawer.draw(*picture), renderer::Compression::thorough));
 }
