@@ -18,7 +18,7 @@ bool ContactManager<M>::foresaw(const Scene<M>& scene, const System<M>& system, 
     const Velocity<M>& velocity = scene.bodies().velocity[i];
     const Velocity<M> change = velocity - velocities_[i];
     const auto* box = std::get_if<Box<M>>(&shapes[i]);
-    const double reach2 = box ? 0.25 * box->sides.squaredNorm() : 0;  // r²
+    const double reach2 = box ? box->half().squaredNorm() : 0;  // r²
     const double spin2 = velocity.template tail<M::angular>().squaredNorm();
     turning = turning || h * h * h * h * spin2 * spin2 * reach2 > thinnest_ * thinnest_;
     // (|v| + |ω|r)² <= 2(v² + ω²r²), which needs no root.
