@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <random>
-
 #include "lessons/scenes/top.hpp"
 #include "tests/solver/position_laws.hpp"
 
@@ -132,15 +130,14 @@ TEST(Avbd, LetsAStackStand) {
 TEST(Avbd, GainsNoEnergyFromThreeHundredBoxesBetweenWalls) {
   using M = PlaneBody;
   const Surface rough{.friction = 0.6};
-  std::mt19937 draw(11);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * (draw() / 4294967296.0); };
+  Random random;
   Scene<M> scene;
   scene.set_shape(scene.add_body({0, 0}, fixed<M>()), HalfSpace<M>{}, rough);
   for (const double side : {-1.0, 1.0})
     scene.set_shape(scene.add_body({4.25 * side, 20}, fixed<M>()), Box<M>{{1, 60}}, rough);
   for (int i = 0; i < 300; ++i) {
-    const Linear<M> sides(uniform(0.25, 0.55), uniform(0.25, 0.55));
-    const Pose<M> pose{{0.75 * (i % 10 - 4.5), 0.5 + 0.75 * (i / 10)}, plane_rotation(uniform(-1, 1))};
+    const Linear<M> sides = Linear<M>::Constant(0.4) + random.vector<2>(0.15);
+    const Pose<M> pose{{0.75 * (i % 10 - 4.5), 0.5 + 0.75 * (i / 10)}, plane_rotation(random.uniform(-1, 1))};
     scene.set_shape(scene.add_body(pose, box<M>(1, sides)), Box<M>{sides}, rough);
   }
   Simulation simulation{scene, Avbd{}};
