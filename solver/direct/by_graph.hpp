@@ -16,8 +16,8 @@ struct ByGraphWork;
 /// Where the sweeps stall, semismooth Newton goes on, and stays until the rows are laid out anew, if a
 /// factorisation costs no more than an eighth of all the sweeps, as in stacks. Where masses that touch differ by
 /// more than `unlike`, a small residual of the sweeps is a large speed of the light body: there it begins at once,
-/// with five times as many rounds, if a factorisation costs no more than half of the sweeps, and else there are ten
-/// times as many sweeps.
+/// with five times as many rounds, if a factorisation costs no more than half of the sweeps, and else there are
+/// ten times as many sweeps.
 struct ByGraph {
   Direct loopless = {};
   ConjugateSweeps loops = {};
