@@ -211,7 +211,6 @@ void advance(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, 
   require_steppable(scene, method, step);
   Attempt attempt(scene, work);
   work.solution = {};
-  work.contacts.begin_step();
   take_in_parts(scene, method, step, 1, work.start, work);
   attempt.finish();
 }

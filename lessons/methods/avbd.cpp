@@ -190,7 +190,6 @@ template <class M>
 void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work) {
   require_steppable(scene, method, h);
   Attempt attempt(scene, work);
-  work.contacts.begin_step();
   Bodies<M>& bodies = scene.state();
   if (begin_rows(scene, h, work)) list_holders(work);
   work.system.stiffness.resize(work.system.rows());

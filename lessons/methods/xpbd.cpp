@@ -57,7 +57,6 @@ template <class M>
 void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& work) {
   require_steppable(scene, method, step);
   Attempt attempt(scene, work);
-  work.contacts.begin_step();
   begin_rows(scene, step, work);
   Bodies<M>& bodies = scene.state();
   const double h = work.h = step / method.substeps;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/constraints/contact_manifold.hpp"
+#include "solver/contact/meeting.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/support/each_model.hpp"
 

@@ -8,11 +8,13 @@
 #include "solver/constraints/anchors.hpp"
 #include "solver/contact/inner_edges.hpp"
 #include "solver/contact/manifold.hpp"
-#include "solver/contact/meeting.hpp"
 #include "solver/contact/sweep_and_prune.hpp"
 #include "solver/scene.hpp"
 
 namespace byhand {
+
+template <class M>
+struct Mover;
 
 /// The contact of two bodies, and its impulses in the last step [N s].
 template <class M>

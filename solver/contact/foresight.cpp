@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "solver/contact/contact_manager.hpp"
+#include "solver/contact/meeting.hpp"
 #include "solver/support/each_model.hpp"
 
 // Whether the search for contacts has seen enough. It looks along the motion that it expects, and the impulses
