@@ -32,10 +32,6 @@ struct ByGraph {
   std::vector<int> order(const Graph& graph, ByGraphWork<M>& work) const;
   template <class M>
   Solution solve(System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work, Begin begin = Begin::step) const;
-
- private:
-  template <class M>
-  Solution solve_bounded_loops(System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work, Begin begin) const;
 };
 
 inline void require_valid(const ByGraph& choice) {

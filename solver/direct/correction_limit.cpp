@@ -20,18 +20,6 @@ bool is_suspect(const System<M>& system, const DirectWork<M>& work) {
   return together > 4.0 * system.rows() * system.rows() * work.apart;
 }
 
-/// How fast a change of velocity makes a body [m/s], with turning at its radius of gyration.
-template <class M>
-double speed(const Bodies<M>& bodies, int body, const Velocity<M>& V) {
-  double squares = V.template head<M::linear>().squaredNorm();
-  if constexpr (M::angular > 0) {
-    const InverseMass<M>& inverse = bodies.inverse_mass[body];
-    const Angular<M> w = V.template tail<M::angular>();
-    if (w.squaredNorm() > 0) squares += inverse.linear * w.dot(inertia(inverse, bodies.pose[body]) * w);
-  }
-  return std::sqrt(squares);
-}
-
 /// The largest speed that impulses give to a body.
 template <class M>
 double fastest(const System<M>& system, const Bodies<M>& bodies, const std::vector<double>& lambda,
@@ -43,25 +31,12 @@ double fastest(const System<M>& system, const Bodies<M>& bodies, const std::vect
   return result;
 }
 
-/// The sum of the speeds that the rows ask for one by one: of the points that they hold, or of the bodies, should
-/// these have to be faster.
+/// The sum of the speeds that the rows ask for one by one.
 template <class M>
 double asked(const System<M>& system, const Bodies<M>& bodies, const std::vector<double>& correction) {
   double sum = 0;
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
-    for (int k = 0; k < K; ++k) {
-      const double c = std::abs(correction[block.row + k]), own = inverse_effective_mass(block.J, block.W, k);
-      if (own <= 0) continue;
-      double most = 0;
-      const auto ask = [&](int body, const auto& J, const auto& W) {
-        const double arm = J.template head<M::linear>().norm();
-        if (arm > 0) most = std::max(most, c / arm);
-        most = std::max(most, speed<M>(bodies, body, c / own * W.transpose()));
-      };
-      if (block.moves1) ask(block.body1, block.J.side1().row(k), block.W.side1().row(k));
-      if (block.moves2) ask(block.body2, block.J.side2().row(k), block.W.side2().row(k));
-      sum += most;
-    }
+    for (int k = 0; k < K; ++k) sum += asked_speed(bodies, block, k, correction[block.row + k]);
   });
   return sum;
 }

@@ -17,4 +17,35 @@ namespace byhand {
 template <class M>
 bool limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& bodies, DirectWork<M>& work);
 
+/// How fast a change of velocity makes a body [m/s], with turning at its radius of gyration.
+template <class M>
+double speed(const Bodies<M>& bodies, int body, const Velocity<M>& V) {
+  double squares = V.template head<M::linear>().squaredNorm();
+  if constexpr (M::angular > 0) {
+    const InverseMass<M>& inverse = bodies.inverse_mass[body];
+    const Angular<M> w = V.template tail<M::angular>();
+    if (w.squaredNorm() > 0) squares += inverse.linear * w.dot(inertia(inverse, bodies.pose[body]) * w);
+  }
+  return std::sqrt(squares);
+}
+
+/// How fast row k of a block asks for by itself, by `rate` [1/s of its C]: the point that it holds, or a body that
+/// has to be faster; and what turns with a body, at most `reach` [m] from it [m/s].
+template <class M, int K, Bound B>
+double asked_speed(const Bodies<M>& bodies, const Block<M, K, B>& block, int k, double rate, double reach = 0) {
+  const double own = inverse_effective_mass(block.J, block.W, k);
+  double most = 0;
+  const auto ask = [&](int body, const auto& J, const auto& W) {
+    const Velocity<M> V = std::abs(rate) / own * W.transpose();
+    double fast = speed(bodies, body, V);
+    if (const double arm = J.template head<M::linear>().norm(); arm > 0)
+      fast = std::max(fast, std::abs(rate) / arm);
+    most = std::max(most, fast + reach * V.template tail<M::angular>().norm());
+  };
+  if (own <= 0) return 0;
+  if (block.moves1) ask(block.body1, block.J.side1().row(k), block.W.side1().row(k));
+  if (block.moves2) ask(block.body2, block.J.side2().row(k), block.W.side2().row(k));
+  return most;
+}
+
 }  // namespace byhand

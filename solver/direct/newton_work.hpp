@@ -27,9 +27,11 @@ struct ByGraphWork {
   bool loopless = false;  // whether the graph has no loops
   bool directly = false;  // whether it is solved directly, loops or not
   // Of loops with bounds:
-  std::uint64_t laid_out = 0;  // the layout for which the following holds
-  bool unlike = false;         // whether masses that touch differ much
-  bool by_newton = false;      // whether sweeps have stalled, or would
+  std::uint64_t laid_out = 0;        // the layout for which the following holds
+  bool unlike = false;               // whether masses that touch differ much
+  bool by_newton = false;            // whether sweeps have stalled, or would
+  std::vector<Velocity<M>> without;  // of the bodies without λ
+  std::vector<double> push;          // as in energy_limit.hpp
 };
 
 }  // namespace byhand

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "solver/direct/by_graph.hpp"
+#include "solver/direct/newton_work.hpp"
+
+// What ByGraph does with loops. Their rows may depend on each other, and contradict each other.
+namespace byhand {
+
+/// Loops of rows without bounds, directly. Where rows repeat, or so nearly that their impulses would grow without
+/// limit, a regularisation decides between them.
+template <class M>
+Solution solve_loops(Direct solver, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work, Begin begin);
+
+/// Loops with bounds, by sweeps and by Newton's method. Where contacts hold against rods, pins and welds, these
+/// are damped; and no solve makes more energy than energy_limit.hpp allows. Then it has not converged.
+template <class M>
+Solution solve_bounded_loops(const ByGraph& choices, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work,
+                             Begin begin);
+
+}  // namespace byhand
