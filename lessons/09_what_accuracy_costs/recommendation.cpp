@@ -194,14 +194,18 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
                                  : say("@ times the present value", Value(choice.margin, 2)));
 }
 
-/// "all methods were tried up to 370 000 instructions per frame, …".
+/// "all methods were tried up to 370 000 instructions per frame, …". The others have no time left where the exact
+/// ones took it.
 std::string searched_in_words(const byhand::Choice& choice) {
-  if (std::isinf(choice.searched)) return "all methods were tried within the time that you allow";
-  return say(
-      "all methods were tried up to @ instructions per frame@", Value(choice.searched, 2),
-      choice.searched_exactly > choice.searched
-          ? say(", and XPBD and those that solve each step exactly up to @", Value(choice.searched_exactly, 2))
-          : std::string());
+  const auto up_to = [](double cost) {
+    return std::isinf(cost) ? std::string("within the time that you allow")
+                            : say("up to @ instructions per frame", Value(cost, 2));
+  };
+  const std::string exactly = "XPBD and those that solve each step exactly",
+                    until = up_to(choice.searched_exactly);
+  if (choice.searched == 0) return say("only @ were tried, @", exactly, until);
+  return say("all methods were tried @@", up_to(choice.searched),
+             choice.searched_exactly > choice.searched ? say(", and @ @", exactly, until) : std::string());
 }
 
 /// How sure the answer is: where all of n starts go well, with 95 % confidence a share above 0.05^(1/n) of them
