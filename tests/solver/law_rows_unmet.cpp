@@ -245,8 +245,8 @@ TYPED_TEST(RowsAgainstContacts, OfPinnedBarsThatWedgeMakeLittleEnergy) {
       for (int i = 0; i < 150; ++i) {
         const double before = energy(simulation.scene), moving = kinetic_energy(simulation.scene.bodies());
         simulation.step(1.0 / 60);
-        if (simulation.work.solution.converged)
-          ASSERT_LE(energy(simulation.scene), before + moving + 1) << bars.count << ' ' << fall << ' ' << i;
+        if (!simulation.work.solution.converged) continue;
+        ASSERT_LE(energy(simulation.scene), before + moving + 1) << bars.count << ' ' << fall << ' ' << i;
       }
     }
 }
