@@ -148,14 +148,24 @@ inline void turn_velocities(const std::vector<Rotation<SpaceBody, double>>& rota
   }
 }
 
-/// Solves bouncing contacts a second time, after the poses have moved. In space the inertia has turned with them:
-/// seen from each body the rows are still the same, so that a bounce makes no energy there either.
+/// In space the inertia has turned with the poses: seen from each body the rows are still the same.
+template <class M>
+void solve_bounce(Stage<M>& stage) {
+  System<M>& system = stage.work.system;
+  Bodies<M>& bodies = stage.scene.state();
+  if constexpr (M::angular == 3) turn_velocities(stage.work.rotations, true, bodies);
+  const std::vector<double> lambda = system.lambda;
+  const std::vector<Velocity<M>> velocity = bodies.velocity;
+  stage.solve_rows_again();
+  limit_bounce(stage.scene, stage.h, lambda, velocity, system, bodies);
+  if constexpr (M::angular == 3) turn_velocities(stage.work.rotations, false, bodies);
+}
+
+/// Solves bouncing contacts a second time, after the poses have moved.
 template <class M>
 void bounce(Stage<M>& stage) {
   if (!set_bounce(stage.work.parting, stage.work.system)) return;
-  if constexpr (M::angular == 3) turn_velocities(stage.work.rotations, true, stage.scene.state());
-  stage.solve_rows_again();
-  if constexpr (M::angular == 3) turn_velocities(stage.work.rotations, false, stage.scene.state());
+  solve_bounce(stage);
   forget_bounce(stage.work.parting, stage.work.system);
 }
 

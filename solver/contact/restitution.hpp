@@ -23,6 +23,13 @@
 // ground and not above it. The second solve continues from the accumulated λ, so that a contact that opens can
 // take back its whole impulse.
 //
+// With friction, or where surfaces differ in e, the second solve can make energy: 2.6 times of it was seen. What
+// it makes is taken back, by moving V back towards what it was without the bounce. Between parabolas the energy is
+//
+//   E(V⁺ + ah/2) <= E(V - M⁻¹Jᵀλ - ah/2) + ma·(x⁺ - x) - λᵀ(target rate + J of fixed bodies that move),
+//
+// V - M⁻¹Jᵀλ being the velocities that the step would have without contacts.
+//
 // In space the inertia of a body turns with it from the pose of the rows to that of the bounce, and with W of the
 // one and ω of the other a slender bar gained 30 times its energy within a second. So the second solve has ω as
 // the body turns it back, R⁻¹ω, and what comes of it is turned on: its energy is the same in both.
@@ -87,6 +94,11 @@ bool set_bounce(const std::vector<double>& parting, System<M>& system) {
   return any;
 }
 //! [bounce]
+
+/// Takes back what a bounce within h [s] has made of energy. `lambda` and `velocity` are those before it.
+template <class M>
+void limit_bounce(const Scene<M>& scene, double h, const std::vector<double>& lambda,
+                  const std::vector<Velocity<M>>& velocity, System<M>& system, Bodies<M>& bodies);
 
 /// Clears λ of those rows: they part, so that the next step must not start with their impulse.
 template <class M>

@@ -23,9 +23,9 @@ std::vector<int> ByGraph::order(const Graph& graph, ByGraphWork<M>& work) const 
 
 template <class M>
 Solution ByGraph::solve(System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work, Begin begin) const {
+  if (system.bounded) return solve_bounded(*this, system, bodies, work, begin);
   if (work.loopless) return loopless.solve(system, bodies, work.direct, begin);
   if (work.directly) return solve_loops(loopless, system, bodies, work, begin);
-  if (system.bounded) return solve_bounded_loops(*this, system, bodies, work, begin);
   return loops.solve(system, bodies, work.direct.prepared, begin);
 }
 

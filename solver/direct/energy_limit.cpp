@@ -32,33 +32,52 @@ double extent(const Bodies<M>& bodies) {
   return (most - least).norm();
 }
 
+/// J of the bodies of a block that do not move, times their velocities.
+template <class M, int K, Bound B>
+Rows<K> led(const Bodies<M>& bodies, const Block<M, K, B>& block) {
+  const auto of_fixed = [&](int body, bool moves) {
+    return moves ? Velocity<M>(Velocity<M>::Zero()) : bodies.velocity[body];
+  };
+  return dot(block.J, of_fixed(block.body1, block.moves1), of_fixed(block.body2, block.moves2));
+}
+
 }  // namespace
 
 template <class M>
-double most_energy(const System<M>& system, const Bodies<M>& bodies, double before, std::vector<double>& push) {
+double driven_energy(const System<M>& system, const Bodies<M>& bodies) {
+  double energy = 0;
+  for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
+    const Rows<K> rate = led(bodies, block);
+    for (int k = 0, row = block.row; k < K; ++k, ++row)
+      energy -= system.lambda[row] * (system.target_rate[row] + rate[k]);
+  });
+  return energy;
+}
+
+template <class M>
+double pushed_energy(const System<M>& system, const Bodies<M>& bodies, std::vector<double>& push) {
   const double reach = extent(bodies);
-  double squares = 0;  // of the speeds that the rows ask for
+  double fastest = 0;
   push.resize(system.rows());
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
-    const auto of_fixed = [&](int body, bool moves) {
-      return moves ? Velocity<M>(Velocity<M>::Zero()) : bodies.velocity[body];
-    };
-    const Rows<K> led = dot(block.J, of_fixed(block.body1, block.moves1), of_fixed(block.body2, block.moves2));
+    const Rows<K> rate = led(bodies, block);
     for (int k = 0, row = block.row; k < K; ++k, ++row) {
-      const double drive = system.target_rate[row] + led[k],
-                   correction = system.bias[row] - system.target_rate[row];
-      const bool pushes_only = one_sided(system, block, k);
-      push[row] = pushes_only ? std::min(correction + drive, 0.0) : correction + drive;
+      const double drive = system.target_rate[row] + rate[k];
+      double correction = system.bias[row] - system.target_rate[row];
+      push[row] = correction + drive;
+      if (one_sided(system, block, k)) {
+        push[row] = std::min(push[row], 0.0);
+        correction = std::min(correction, 0.0);
+      }
       if (push[row] == 0) continue;
-      const double speed = asked_speed(bodies, block, k, pushes_only ? std::min(correction, 0.0) : correction) +
-                           asked_speed(bodies, block, k, drive, reach);
-      squares += speed * speed;
+      const double asked = asked_speed(bodies, block, k, correction) + asked_speed(bodies, block, k, drive, reach);
+      fastest = std::max(fastest, asked);
     }
   });
   double mass = 0;
   for (const InverseMass<M>& inverse : bodies.inverse_mass)
     if (moves(inverse)) mass += 1 / inverse.linear;
-  return before + 0.5 * mass * squares;
+  return 0.5 * mass * fastest * fastest;
 }
 
 template <class M>
@@ -69,7 +88,7 @@ void move_towards(const std::vector<double>& lambda, const std::vector<Velocity<
   for (int body = 0; body < bodies.size(); ++body) change[body] -= bodies.velocity[body];
   const double now = energy_at(bodies, bodies.velocity), of_change = energy_at(bodies, change);
   const double half = 0.5 * (energy_at(bodies, velocity) - now - of_change), left = std::max(0.0, most - now);
-  const double share = left / (half + std::sqrt(half * half + of_change * left));
+  const double share = std::min(1.0, left / (half + std::sqrt(half * half + of_change * left)));
   if (!(share > 0)) return;
   for (int body = 0; body < bodies.size(); ++body) bodies.velocity[body] += share * change[body];
   for (int k = 0; k < system.rows(); ++k) system.lambda[k] += share * (lambda[k] - system.lambda[k]);
@@ -77,7 +96,8 @@ void move_towards(const std::vector<double>& lambda, const std::vector<Velocity<
 
 #define BYHAND_INSTANTIATE(M)                                                                                 \
   template double energy_at(const Bodies<M>&, const std::vector<Velocity<M>>&);                               \
-  template double most_energy(const System<M>&, const Bodies<M>&, double, std::vector<double>&);              \
+  template double driven_energy(const System<M>&, const Bodies<M>&);                                          \
+  template double pushed_energy(const System<M>&, const Bodies<M>&, std::vector<double>&);                    \
   template void move_towards(const std::vector<double>&, const std::vector<Velocity<M>>&, double, System<M>&, \
                              Bodies<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);

@@ -103,6 +103,27 @@ Solution solve_damped(ConjugateSweeps sweeps, System<M>& system, Bodies<M>& bodi
   return solution;
 }
 
+template <class M>
+Solution solve_bounded_loops(const ByGraph& choices, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work,
+                             Begin begin) {
+  const double speed = fastest(system, bodies.velocity);
+  // What a solve without λ does depends on nothing that was before.
+  const bool anew = work.laid_out != system.layout || largest_of(system.lambda) == 0;
+  work.laid_out = system.layout;
+  work.unlike = has_unlike_masses(system, choices.unlike);
+  work.by_newton = (work.by_newton && !anew) || (work.unlike && newton_pays(choices, system, bodies.size(), work));
+  Solution solution = solve_by_sweeps_or_newton(choices, system, bodies, work, begin);
+  if (solution.residual <= 0.1 * unmet * speed) return solution;
+  const auto [of_all, of_unbounded, left] = demand(system, bodies, work.newton);
+  if (of_unbounded > speed && left > 0.25 * of_unbounded) {
+    const int passes = solution.passes;
+    solution = solve_damped(choices.loops, system, bodies, work);
+    solution.passes += passes;
+  }
+  solution.converged = solution.converged && solution.residual <= unmet * larger(speed, of_all);
+  return solution;
+}
+
 /// The velocities without the impulses of λ, which they have from a `resume` on.
 template <class M>
 void keep_without(const System<M>& system, const Bodies<M>& bodies, Begin begin, ByGraphWork<M>& work) {
@@ -133,35 +154,23 @@ Solution solve_loops(Direct solver, System<M>& system, Bodies<M>& bodies, ByGrap
 }
 
 template <class M>
-Solution solve_bounded_loops(const ByGraph& choices, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work,
-                             Begin begin) {
-  const double speed = fastest(system, bodies.velocity);
+Solution solve_bounded(const ByGraph& choices, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work,
+                       Begin begin) {
   keep_without(system, bodies, begin, work);
-  // What a solve without λ does depends on nothing that was before.
-  const bool anew = work.laid_out != system.layout || largest_of(system.lambda) == 0;
-  work.laid_out = system.layout;
-  work.unlike = has_unlike_masses(system, choices.unlike);
-  work.by_newton = (work.by_newton && !anew) || (work.unlike && newton_pays(choices, system, bodies.size(), work));
-  const auto solve = [&](Begin from) { return solve_by_sweeps_or_newton(choices, system, bodies, work, from); };
+  const auto solve = [&](Begin from) {
+    return work.loopless ? choices.loopless.solve(system, bodies, work.direct, from)
+                         : solve_bounded_loops(choices, system, bodies, work, from);
+  };
   Solution solution = solve(begin);
-  if (!(solution.residual <= 0.1 * unmet * speed)) {
-    const auto [of_all, of_unbounded, left] = demand(system, bodies, work.newton);
-    if (of_unbounded > speed && left > 0.25 * of_unbounded) {
-      const int passes = solution.passes;
-      solution = solve_damped(choices.loops, system, bodies, work);
-      solution.passes += passes;
-    }
-    solution.converged = solution.converged && solution.residual <= unmet * larger(speed, of_all);
-  }
-  const bool limited =
-      limit_energy(work.without, system, bodies, work.push, [&] { solution += solve(Begin::resume); });
+  const bool limited = limit_energy(work.without, solution.converged, system, bodies, work.push,
+                                    [&] { solution += solve(Begin::resume); });
   solution.converged = solution.converged && !limited;
   return solution;
 }
 
 #define BYHAND_INSTANTIATE(M)                                                            \
   template Solution solve_loops(Direct, System<M>&, Bodies<M>&, ByGraphWork<M>&, Begin); \
-  template Solution solve_bounded_loops(const ByGraph&, System<M>&, Bodies<M>&, ByGraphWork<M>&, Begin)
+  template Solution solve_bounded(const ByGraph&, System<M>&, Bodies<M>&, ByGraphWork<M>&, Begin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -3,7 +3,7 @@
 #include "solver/direct/by_graph.hpp"
 #include "solver/direct/newton_work.hpp"
 
-// What ByGraph does with loops. Their rows may depend on each other, and contradict each other.
+// What ByGraph does with rows that may depend on each other, and contradict each other.
 namespace byhand {
 
 /// Loops of rows without bounds, directly. Where rows repeat, or so nearly that their impulses would grow without
@@ -11,10 +11,11 @@ namespace byhand {
 template <class M>
 Solution solve_loops(Direct solver, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work, Begin begin);
 
-/// Loops with bounds, by sweeps and by Newton's method. Where contacts hold against rods, pins and welds, these
-/// are damped; and no solve makes more energy than energy_limit.hpp allows. Then it has not converged.
+/// Rows with bounds: directly without loops, else by sweeps and by Newton's method. Where contacts hold against
+/// rods, pins and welds, these are damped; and no solve makes more energy than energy_limit.hpp allows. Then it
+/// has not converged.
 template <class M>
-Solution solve_bounded_loops(const ByGraph& choices, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work,
-                             Begin begin);
+Solution solve_bounded(const ByGraph& choices, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work,
+                       Begin begin);
 
 }  // namespace byhand

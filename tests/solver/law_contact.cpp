@@ -3,6 +3,7 @@
 #include "lessons/scenes/balls.hpp"
 #include "solver/constraints/contact_manifold.hpp"
 #include "tests/solver/law_motion.hpp"
+#include "tests/solver/random.hpp"
 
 // Atlas A8, A9 and B2: what a contact carries, gives back and pushes out.
 namespace law_contact_test {
@@ -176,6 +177,58 @@ TEST(LawB2, SlopIsLeftAlone) {
   Simulation<PlaneBody> simulation{pressed_in(0.01), {Direct{}, Baumgarte{.beta = 0.2, .slop = 0.002}}};
   run(simulation, 5, h);
   EXPECT_NEAR(simulation.scene.bodies().pose[1].position.y() - 0.5, -0.002, 1e-9);
+}
+
+/// Six boxes and balls of .1 to 10 kg in a room of 8 m, thrown at 20 m/s; each has its own e, or all the same.
+template <class M>
+Scene<M> room(double friction, double most_elastic, bool same, Random& random) {
+  Scene<M> scene;
+  scene.gravity.setZero();
+  const auto surface = [&] {
+    return Surface{.friction = friction, .restitution = same ? most_elastic : random.uniform(0, most_elastic)};
+  };
+  for (int axis = 0; axis < M::linear; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      const Linear<M> inwards = -side * Linear<M>::Unit(axis);
+      scene.set_shape(scene.add_body(Linear<M>(-4 * inwards), fixed<M>()), HalfSpace<M>{inwards}, surface());
+    }
+  for (int i = 0; i < 6; ++i) {
+    const Linear<M> at = -2 * Linear<M>::Ones() + 2 * (i % 3) * Linear<M>::Unit(0) +
+                         2 * (i / 3) * Linear<M>::Unit(1),
+                    sides = Linear<M>::Constant(0.3) + random.vector<M::linear>(0.2).cwiseAbs();
+    const double mass = std::pow(10, random.uniform(-1, 1));
+    const Velocity<M> V = random.vector<M::dof>(20);
+    if (i % 2 == 0)
+      scene.set_shape(scene.add_body(at, box<M>(mass, sides), V), Box<M>{sides}, surface());
+    else
+      scene.set_shape(scene.add_body(at, ball<M>(mass, 0.3), V), Ball<M>{0.3}, surface());
+  }
+  return scene;
+}
+
+// With friction, or unlike e, a solve of Moreau's law made up to 2.6 times the energy.
+TEST(LawA9, ABounceMakesNoEnergyWhateverRubsAndHoweverUnlikeTheSurfaces) {
+  const auto largest_gain = []<class M>(std::type_identity<M>, double friction, double e, bool same, int rooms) {
+    Random random;
+    double largest = 0;
+    for (int i = 0; i < rooms; ++i) {
+      Simulation<M> simulation{room<M>(friction, e, same, random)};
+      for (int step = 0; step < 200; ++step) {
+        const double before = energy(simulation.scene);
+        simulation.step(h);
+        largest = std::max(largest, energy(simulation.scene) / before - 1);
+      }
+    }
+    return largest;
+  };
+  for (const bool same : {true, false})
+    for (const double friction : {0.0, 0.6})
+      for (const double e : {0.7, 1.0}) {
+        EXPECT_LE(largest_gain(std::type_identity<PlaneBody>(), friction, e, same, 60), 0.05)
+            << friction << e << same;
+        EXPECT_LE(largest_gain(std::type_identity<SpaceBody>(), friction, e, same, 20), 0.05)
+            << friction << e << same;
+      }
 }
 
 }  // namespace law_contact_test

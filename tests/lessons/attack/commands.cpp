@@ -302,7 +302,7 @@ TEST_F(Commands, ABuildSaysWhatItBuildsAndHowLongItTakes) {
   EXPECT_THAT(start(checkout_, "hello").complained, HasSubstr("building course: 2 steps"));
   const Finished finished = run("source=" + quoted(BYHAND_SOURCE) +
                                 "; bash -c '. \"$0/.ci/setup\"; { echo \"[1/90] a\"; sleep 6; echo \"[9/90] b\"; "
-                                "sleep 6; echo \"[89/90] c\"; } | count \"building lessons\"' \"$source\"");
+                                "sleep 9; echo \"[89/90] c\"; } | count \"building lessons\"' \"$source\"");
   EXPECT_THAT(finished.complained,
               testing::MatchesRegex("building lessons: 90 steps …\nbuilding lessons: 9 of 90 steps, about [12] "
                                     "minutes? left\nbuilding lessons: 89 of 90 steps, less than a minute left\n"));
