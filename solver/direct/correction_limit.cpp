@@ -8,7 +8,6 @@
 namespace byhand {
 namespace {
 
-constexpr double damping = 0.04;
 constexpr double most_amplified = 2.5;  // 1 / (2 √damping)
 constexpr double negligible = 0.01;     // of what else the rows do
 

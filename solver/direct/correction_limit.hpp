@@ -7,6 +7,9 @@
 // cure asks for with speeds that grow without limit, step after step.
 namespace byhand {
 
+/// γ of damped rows, as a share of their diagonal of A.
+constexpr double damping = 0.04;
+
 /// Corrects by damped least squares, (A + 0.04 diag A)λ = -c, if the exact correction would make some body more
 /// than 2.5 times as fast as all rows together ask one by one. Damped, the correction has at most 6.25 times the
 /// energy that the rows would need one by one, whatever the units. `system.lambda` is the last `solve_equations`'

@@ -1,5 +1,8 @@
 #include "solver/direct/energy_limit.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "solver/direct/correction_limit.hpp"
 #include "solver/rows/operators.hpp"
 #include "solver/support/each_model.hpp"

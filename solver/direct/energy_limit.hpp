@@ -9,8 +9,8 @@
 //   E(V⁺) - E(V) = λᵀJV⁺ - ½λᵀAλ <= -λᵀb
 //
 // for friction only takes energy, and a row that presses has JV⁺ = -b. So E grows only by what rows push with:
-// corrections, target rates, fixed bodies that have a velocity. Moving all bodies as fast as one row asks by
-// itself would take ½Mv²; what all make beyond Σ½Mv² is taken back.
+// corrections, target rates, fixed bodies that have a velocity. What they make beyond ½Mv², all bodies as fast as
+// the row that asks most, is taken back.
 namespace byhand {
 
 /// E of the bodies that move, at other velocities than theirs [J].

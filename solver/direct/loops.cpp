@@ -1,5 +1,8 @@
 #include "solver/direct/loops.hpp"
 
+#include <algorithm>
+#include <functional>
+
 #include "solver/direct/correction_limit.hpp"
 #include "solver/direct/energy_limit.hpp"
 #include "solver/rows/operators.hpp"
