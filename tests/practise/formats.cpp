@@ -386,7 +386,8 @@ TEST_F(Course, OfTheSameSeedIsTheSameBytes) {
 /// As in the image that a platform builds from the folder, but that the packages are there.
 TEST_F(Course, BuildsItsJudgeFromTheExportedFolderAlone) {
   const std::string build = (*folder_ / "built").string(), source = (course() / "source").string();
-  const Finished configured = run(fmt::format("cmake -S {} -B {} -DCMAKE_BUILD_TYPE=None", source, build));
+  const Finished configured =
+      run(fmt::format("cmake -G Ninja -S {} -B {} -DCMAKE_BUILD_TYPE=None", source, build));
   ASSERT_EQ(configured.status, 0) << configured.complained;
   const Finished built = run(fmt::format("cmake --build {} --target grade", build));
   ASSERT_EQ(built.status, 0) << built.said << built.complained;
