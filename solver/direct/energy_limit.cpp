@@ -91,8 +91,8 @@ void move_towards(const std::vector<double>& lambda, const std::vector<Velocity<
   for (int body = 0; body < bodies.size(); ++body) change[body] -= bodies.velocity[body];
   const double now = energy_at(bodies, bodies.velocity), of_change = energy_at(bodies, change);
   const double half = 0.5 * (energy_at(bodies, velocity) - now - of_change), left = std::max(0.0, most - now);
-  const double share = std::min(1.0, left / (half + std::sqrt(half * half + of_change * left)));
-  if (!(share > 0)) return;
+  const double root = std::sqrt(half * half + of_change * left);
+  const double share = std::min(1.0, half > 0 ? left / (half + root) : (root - half) / of_change);
   for (int body = 0; body < bodies.size(); ++body) bodies.velocity[body] += share * change[body];
   for (int k = 0; k < system.rows(); ++k) system.lambda[k] += share * (lambda[k] - system.lambda[k]);
 }
