@@ -67,14 +67,20 @@ std::string gives_up(const Recipe<M>& recipe, const VelocityStepping& method) {
   return {};
 }
 
-/// V = V₀ + h g + M⁻¹Jᵀλ, (20) of all rows. Of a step in parts there is only the λ of the last one.
+/// Whether the last step was taken in parts: of these only the λ of the last one is left.
+template <class M>
+bool in_parts(const Simulation<M>& simulation) {
+  return simulation.work.h < h;
+}
+
+/// V = V₀ + h g + M⁻¹Jᵀλ, (20) of all rows.
 template <class M>
 std::string impulses_miss(const Recipe<M>& recipe, const VelocityStepping& choice) {
   VelocityStepping method = choice;
   method.gyroscopic = Gyroscopic::none;
   double begun_with = 0;  // what the warm start came from, and leaves rounding of
   return watch<M>(recipe, method, [&](const Simulation<M>& simulation, std::vector<Velocity<M>> V) -> std::string {
-    if (simulation.work.h < h) return {};
+    if (in_parts(simulation)) return {};
     const System<M>& system = simulation.work.system;
     double size = 0;
     for (std::size_t i = 0; i < V.size(); ++i) {
@@ -156,7 +162,8 @@ std::string sunken(const Recipe<M>& recipe, const VelocityStepping& method) {
   });
 }
 
-/// What the rows' correction gives is the most that a step may make, but for one that says it has not converged.
+/// What the rows' correction gives is the most that a step may make, but for one that says it has not converged,
+/// and one in parts, whose λ are not known.
 template <class M>
 std::string energy_made(const Recipe<M>& recipe, const VelocityStepping& method) {
   const Scene<M> start = scene_of(recipe);
@@ -166,7 +173,7 @@ std::string energy_made(const Recipe<M>& recipe, const VelocityStepping& method)
     const System<M>& system = simulation.work.system;
     for (int row = 0; row < system.rows(); ++row) allowed += std::abs(system.lambda[row] * system.bias[row]);
     const double now = energy(simulation.scene);
-    if (!simulation.work.solution.converged) allowed += std::max(0.0, now - before);
+    if (!simulation.work.solution.converged || in_parts(simulation)) allowed += std::max(0.0, now - before);
     before = now;
     const double most = allowed + 1e-4 * size;
     return now <= most ? "" : text("energy [J]", now, most);
