@@ -12,17 +12,7 @@ namespace byhand {
 /// ½mv² + ½ω·Iω [J].
 template <class M>
 double kinetic_energy(const Bodies<M>& bodies) {
-  double energy = 0;
-  for (int i = 0; i < bodies.size(); ++i) {
-    const InverseMass<M>& mass = bodies.inverse_mass[i];
-    if (!moves(mass)) continue;
-    energy += 0.5 * bodies.velocity[i].template head<M::linear>().squaredNorm() / mass.linear;
-    if constexpr (M::angular > 0) {
-      const Angular<M> spin = bodies.velocity[i].template tail<M::angular>();
-      energy += 0.5 * spin.dot(inertia<M>(mass, bodies.pose[i]) * spin);
-    }
-  }
-  return energy;
+  return kinetic_energy(bodies, bodies.velocity);
 }
 
 /// -m g·x [J], zero at the origin, with each body's gravity scale.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/direct/energy_limit.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/scene.hpp"
 
@@ -95,10 +96,9 @@ bool set_bounce(const std::vector<double>& parting, System<M>& system) {
 }
 //! [bounce]
 
-/// Takes back what a bounce within h [s] has made of energy. `lambda` and `velocity` are those before it.
+/// Takes back what a bounce within h [s] has made of energy. `before` are λ and V before it.
 template <class M>
-void limit_bounce(const Scene<M>& scene, double h, const std::vector<double>& lambda,
-                  const std::vector<Velocity<M>>& velocity, System<M>& system, Bodies<M>& bodies);
+void limit_bounce(const Scene<M>& scene, double h, const Answer<M>& before, System<M>& system, Bodies<M>& bodies);
 
 /// Clears λ of those rows: they part, so that the next step must not start with their impulse.
 template <class M>

@@ -9,18 +9,6 @@
 
 namespace byhand {
 
-template <class M>
-double energy_at(const Bodies<M>& bodies, const std::vector<Velocity<M>>& velocities) {
-  double energy = 0;
-  for (int body = 0; body < bodies.size(); ++body) {
-    const InverseMass<M>& inverse = bodies.inverse_mass[body];
-    if (!moves(inverse)) continue;
-    const double v = speed(bodies, body, velocities[body]);
-    energy += 0.5 * v * v / inverse.linear;
-  }
-  return energy;
-}
-
 namespace {
 
 /// A distance that no two bodies that move are farther apart [m].
@@ -58,21 +46,21 @@ double driven_energy(const System<M>& system, const Bodies<M>& bodies) {
 }
 
 template <class M>
-double pushed_energy(const System<M>& system, const Bodies<M>& bodies, std::vector<double>& push) {
+double pushed_energy(const System<M>& system, const Bodies<M>& bodies, std::vector<double>& still) {
   const double reach = extent(bodies);
   double fastest = 0;
-  push.resize(system.rows());
+  still = system.bias;
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
     const Rows<K> rate = led(bodies, block);
     for (int k = 0, row = block.row; k < K; ++k, ++row) {
       const double drive = system.target_rate[row] + rate[k];
-      double correction = system.bias[row] - system.target_rate[row];
-      push[row] = correction + drive;
+      double correction = system.bias[row] - system.target_rate[row], push = correction + drive;
       if (one_sided(system, block, k)) {
-        push[row] = std::min(push[row], 0.0);
+        push = std::min(push, 0.0);
         correction = std::min(correction, 0.0);
       }
-      if (push[row] == 0) continue;
+      if (push == 0) continue;
+      still[row] -= push;
       const double asked = asked_speed(bodies, block, k, correction) + asked_speed(bodies, block, k, drive, reach);
       fastest = std::max(fastest, asked);
     }
@@ -84,25 +72,22 @@ double pushed_energy(const System<M>& system, const Bodies<M>& bodies, std::vect
 }
 
 template <class M>
-void move_towards(const std::vector<double>& lambda, const std::vector<Velocity<M>>& velocity, double most,
-                  System<M>& system, Bodies<M>& bodies) {
+void move_towards(const Answer<M>& other, double most, System<M>& system, Bodies<M>& bodies) {
   // E(V + s ΔV) = E(V) + 2 s half + s² E(ΔV).
-  std::vector<Velocity<M>> change = velocity;
+  std::vector<Velocity<M>> change = other.velocity;
   for (int body = 0; body < bodies.size(); ++body) change[body] -= bodies.velocity[body];
-  const double now = energy_at(bodies, bodies.velocity), of_change = energy_at(bodies, change);
-  const double half = 0.5 * (energy_at(bodies, velocity) - now - of_change), left = std::max(0.0, most - now);
-  const double root = std::sqrt(half * half + of_change * left);
+  const double now = kinetic_energy(bodies, bodies.velocity), of_change = kinetic_energy(bodies, change);
+  const double half = 0.5 * (kinetic_energy(bodies, other.velocity) - now - of_change);
+  const double left = std::max(0.0, most - now), root = std::sqrt(half * half + of_change * left);
   const double share = std::min(1.0, half > 0 ? left / (half + root) : (root - half) / of_change);
   for (int body = 0; body < bodies.size(); ++body) bodies.velocity[body] += share * change[body];
-  for (int k = 0; k < system.rows(); ++k) system.lambda[k] += share * (lambda[k] - system.lambda[k]);
+  for (int k = 0; k < system.rows(); ++k) system.lambda[k] += share * (other.lambda[k] - system.lambda[k]);
 }
 
-#define BYHAND_INSTANTIATE(M)                                                                                 \
-  template double energy_at(const Bodies<M>&, const std::vector<Velocity<M>>&);                               \
-  template double driven_energy(const System<M>&, const Bodies<M>&);                                          \
-  template double pushed_energy(const System<M>&, const Bodies<M>&, std::vector<double>&);                    \
-  template void move_towards(const std::vector<double>&, const std::vector<Velocity<M>>&, double, System<M>&, \
-                             Bodies<M>&)
+#define BYHAND_INSTANTIATE(M)                                                              \
+  template double driven_energy(const System<M>&, const Bodies<M>&);                       \
+  template double pushed_energy(const System<M>&, const Bodies<M>&, std::vector<double>&); \
+  template void move_towards(const Answer<M>&, double, System<M>&, Bodies<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -13,57 +13,59 @@
 // the row that asks most, is taken back.
 namespace byhand {
 
-/// E of the bodies that move, at other velocities than theirs [J].
-template <class M>
-double energy_at(const Bodies<M>& bodies, const std::vector<Velocity<M>>& velocities);
-
 /// Energies that differ by no more than this share are the same.
 constexpr double rounding = 1e-9;
+
+/// λ, and the velocities that it gives.
+template <class M>
+struct Answer {
+  std::vector<double> lambda;
+  std::vector<Velocity<M>> velocity;
+};
 
 /// What target rates, and fixed bodies that have a velocity, give to the bodies by λ [J].
 template <class M>
 double driven_energy(const System<M>& system, const Bodies<M>& bodies);
 
-/// The most that rows may make of energy [J]. `push` becomes what they push with, the part of b that can be left
-/// out.
+/// The most that rows may make of energy [J]. `still` becomes b without what they push with.
 template <class M>
-double pushed_energy(const System<M>& system, const Bodies<M>& bodies, std::vector<double>& push);
+double pushed_energy(const System<M>& system, const Bodies<M>& bodies, std::vector<double>& still);
+
+/// No λ, and the velocities of the bodies without it.
+template <class M>
+void begin_anew(const std::vector<Velocity<M>>& without, System<M>& system, Bodies<M>& bodies) {
+  bodies.velocity = without;
+  std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
+}
 
 /// Moves λ and V of system and bodies towards others, as far as leaves at most this energy [J]. Bounds that hold
 /// for both hold between them.
 template <class M>
-void move_towards(const std::vector<double>& lambda, const std::vector<Velocity<M>>& velocity, double most,
-                  System<M>& system, Bodies<M>& bodies);
+void move_towards(const Answer<M>& other, double most, System<M>& system, Bodies<M>& bodies);
 
 /// Takes back what rows have made beyond that: they push with less. `without` are the velocities without λ, and
 /// `solve` solves the rows from none. Where rows have not converged, what they may make counts from where they are
-/// when they push with nothing: else what is crushed would gain some in every step. Returns whether it changed
-/// anything.
+/// when they push with nothing: else what is crushed would gain some in every step. `bias` is scratch. Returns
+/// whether it changed anything.
 template <class M>
 bool limit_energy(const std::vector<Velocity<M>>& without, bool converged, System<M>& system, Bodies<M>& bodies,
-                  std::vector<double>& push, auto&& solve) {
-  const double before = energy_at(bodies, without), after = energy_at(bodies, bodies.velocity);
+                  std::vector<double>& bias, auto&& solve) {
+  const double before = kinetic_energy(bodies, without), after = kinetic_energy(bodies, bodies.velocity);
   if (after <= (1 + rounding) * before) return false;
-  const double made = pushed_energy(system, bodies, push);
+  const double made = pushed_energy(system, bodies, bias);
   if (converged && after <= before + made) return false;
-  const auto take_back = [&] {
-    bodies.velocity = without;
-    std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
-  };
-  auto lambda = system.lambda;
-  auto velocity = bodies.velocity;
-  take_back();
-  for (int k = 0; k < system.rows(); ++k) system.bias[k] -= push[k];
+  Answer<M> pushed{system.lambda, bodies.velocity};
+  begin_anew(without, system, bodies);
+  system.bias.swap(bias);
   solve();
-  for (int k = 0; k < system.rows(); ++k) system.bias[k] += push[k];
-  double most = energy_at(bodies, bodies.velocity) + made;
+  system.bias.swap(bias);
+  double most = kinetic_energy(bodies, bodies.velocity) + made;
   if (most > before + made) {  // not solved
-    lambda = system.lambda;
-    velocity = bodies.velocity;
+    pushed = {system.lambda, bodies.velocity};
     most = before + made;
-    take_back();
+    begin_anew(without, system, bodies);
   }
-  move_towards(lambda, velocity, most, system, bodies);
+  move_towards(pushed, most, system, bodies);
   return true;
 }
 

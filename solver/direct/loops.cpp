@@ -1,7 +1,6 @@
 #include "solver/direct/loops.hpp"
 
 #include <algorithm>
-#include <functional>
 
 #include "solver/direct/correction_limit.hpp"
 #include "solver/direct/energy_limit.hpp"
@@ -59,12 +58,19 @@ bool newton_pays(const ByGraph& choices, const System<M>& system, int bodies, By
   return static_cast<double>(matrix.multiplications()) <= (work.unlike ? 0.5 : 0.125) * cost_of_sweeps;
 }
 
+/// Ten times as many where masses that touch differ much.
+template <class M>
+ConjugateSweeps sweeps_for(const ByGraph& choices, const ByGraphWork<M>& work) {
+  ConjugateSweeps sweeps = choices.loops;
+  if (work.unlike) sweeps.sweeps *= 10;
+  return sweeps;
+}
+
 /// By sweeps and, where they stall, by Newton's method.
 template <class M>
 Solution solve_by_sweeps_or_newton(const ByGraph& choices, System<M>& system, Bodies<M>& bodies,
                                    ByGraphWork<M>& work, Begin begin) {
-  ConjugateSweeps sweeps = choices.loops;
-  if (work.unlike) sweeps.sweeps *= 10;
+  ConjugateSweeps sweeps = sweeps_for(choices, work);
   Solution swept;
   if (!work.by_newton) {
     swept = sweeps.solve(system, bodies, work.direct.prepared, begin);
@@ -90,15 +96,13 @@ Solution solve_by_sweeps_or_newton(const ByGraph& choices, System<M>& system, Bo
 /// Solves anew, without the impulses that rods, pins and welds have wound up against what they cannot move, and
 /// with these damped as by limit_correction.
 template <class M>
-Solution solve_damped(ConjugateSweeps sweeps, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work) {
+Solution solve_damped(const ConjugateSweeps& sweeps, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work) {
   const std::vector<double> gamma = system.gamma;
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
     for (int row = block.row; B == Bound::none && row < block.row + K; ++row)
       system.gamma[row] += damping * work.newton.scales.D[row];
   });
-  bodies.velocity = work.without;
-  std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
-  if (work.unlike) sweeps.sweeps *= 10;
+  begin_anew(work.without, system, bodies);
   work.by_newton = false;
   Solution solution = sweeps.solve(system, bodies, work.direct.prepared, Begin::resume);
   system.gamma = gamma;
@@ -106,6 +110,8 @@ Solution solve_damped(ConjugateSweeps sweeps, System<M>& system, Bodies<M>& bodi
   return solution;
 }
 
+/// Sweeps or Newton's method, as the masses and the solves before suggest. Where bodies are held by
+/// rods, pins and welds that contradict their contacts, these are damped.
 template <class M>
 Solution solve_bounded_loops(const ByGraph& choices, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work,
                              Begin begin) {
@@ -120,21 +126,11 @@ Solution solve_bounded_loops(const ByGraph& choices, System<M>& system, Bodies<M
   const auto [of_all, of_unbounded, left] = demand(system, bodies, work.newton);
   if (of_unbounded > speed && left > 0.25 * of_unbounded) {
     const int passes = solution.passes;
-    solution = solve_damped(choices.loops, system, bodies, work);
+    solution = solve_damped(sweeps_for(choices, work), system, bodies, work);
     solution.passes += passes;
   }
   solution.converged = solution.converged && solution.residual <= unmet * larger(speed, of_all);
   return solution;
-}
-
-/// The velocities without the impulses of λ, which they have from a `resume` on.
-template <class M>
-void keep_without(const System<M>& system, const Bodies<M>& bodies, Begin begin, ByGraphWork<M>& work) {
-  work.without = bodies.velocity;
-  if (begin == Begin::step) return;
-  work.push.resize(system.rows());
-  std::ranges::transform(system.lambda, work.push.begin(), std::negate());
-  apply_all(system, work.push, work.without);
 }
 
 }  // namespace
@@ -159,13 +155,14 @@ Solution solve_loops(Direct solver, System<M>& system, Bodies<M>& bodies, ByGrap
 template <class M>
 Solution solve_bounded(const ByGraph& choices, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work,
                        Begin begin) {
-  keep_without(system, bodies, begin, work);
+  work.without = bodies.velocity;
+  if (begin != Begin::step) take_away(system, system.lambda, work.without);
   const auto solve = [&](Begin from) {
     return work.loopless ? choices.loopless.solve(system, bodies, work.direct, from)
                          : solve_bounded_loops(choices, system, bodies, work, from);
   };
   Solution solution = solve(begin);
-  const bool limited = limit_energy(work.without, solution.converged, system, bodies, work.push,
+  const bool limited = limit_energy(work.without, solution.converged, system, bodies, work.still,
                                     [&] { solution += solve(Begin::resume); });
   solution.converged = solution.converged && !limited;
   return solution;

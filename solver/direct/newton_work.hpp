@@ -31,7 +31,7 @@ struct ByGraphWork {
   bool unlike = false;               // whether masses that touch differ much
   bool by_newton = false;            // whether sweeps have stalled, or would
   std::vector<Velocity<M>> without;  // of the bodies without λ
-  std::vector<double> push;          // as in energy_limit.hpp
+  std::vector<double> still;         // b without what rows push with
 };
 
 }  // namespace byhand

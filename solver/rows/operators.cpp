@@ -4,15 +4,31 @@
 
 namespace byhand {
 
-template <class M>
-void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities) {
+namespace {
+
+/// V += `sign` M⁻¹Jᵀλ.
+template <int sign, class M>
+void apply_signed(const System<M>& system, const std::vector<double>& lambda,
+                  std::vector<Velocity<M>>& velocities) {
   double* V = numbers<M>(velocities);
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     for (const auto& block : blocks) {
-      const Rows<K> change = Eigen::Map<const Rows<K>>(&lambda[block.row]);
+      const Rows<K> change = sign * Eigen::Map<const Rows<K>>(&lambda[block.row]);
       apply<M, K>(block, change, V);
     }
   });
+}
+
+}  // namespace
+
+template <class M>
+void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities) {
+  apply_signed<1>(system, lambda, velocities);
+}
+
+template <class M>
+void take_away(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities) {
+  apply_signed<-1>(system, lambda, velocities);
 }
 
 template <class M>
@@ -54,6 +70,7 @@ void hold_within_bounds(const System<M>& system, std::vector<double>& lambda) {
 
 #define BYHAND_INSTANTIATE(M)                                                                            \
   template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&);      \
+  template void take_away(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&);      \
   template void rates_of(const System<M>&, const std::vector<Velocity<M>>&, std::vector<double>&);       \
   template void multiply(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&,        \
                          std::vector<double>&);                                                          \

@@ -45,6 +45,10 @@ void for_each_block_with(const System<M>& system, Storage& storage, F&& f) {
 template <class M>
 void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities);
 
+/// V -= M⁻¹Jᵀλ.
+template <class M>
+void take_away(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities);
+
 /// `rates` = JV.
 template <class M>
 void rates_of(const System<M>& system, const std::vector<Velocity<M>>& velocities, std::vector<double>& rates);
