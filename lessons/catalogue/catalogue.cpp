@@ -230,11 +230,14 @@ Exact exact_incline(const Problem& p) {
   const double slope = radians(p["angle"]), speed = p["speed"], kilograms = p["mass"], height = p["height"];
   const Vector3d down(std::cos(slope), -std::sin(slope), 0), up(std::sin(slope), std::cos(slope), 0);
   const double drive = p["gravity"] * std::sin(slope), drag = p["friction"] * p["gravity"] * std::cos(slope);
+  const double braking = drive - drag, stops = speed > 0 && braking < 0 ? speed / -braking : 0;
+  const double released = std::abs(drive) <= drag ? 0 : drive - std::copysign(drag, drive);
   return [=](double time) {
-    const double a = speed > 0 || drive > drag ? drive - drag : 0;
-    const double moving = a < 0 ? std::min(time, speed / -a) : time;  // until it stops, and then it sticks
-    const Vector3d centre = 0.5 * height * up + (speed * moving + a * moving * moving / 2) * down;
-    return ExactState{{centre}, kilograms * (moving < time ? 0.0 : speed + a * time) * down, 1e-15};
+    // Friction turns round where the block does: it slides on as it began, sticks, or slides back.
+    const bool begun = speed > 0 && (braking >= 0 || time < stops);
+    const double v = begun ? speed : 0, a = begun ? braking : released, t = begun ? time : time - stops;
+    const double way = (begun ? 0 : speed * stops / 2) + v * t + a * t * t / 2;
+    return ExactState{{0.5 * height * up + way * down}, kilograms * (v + a * t) * down, 1e-15};
   };
 }
 

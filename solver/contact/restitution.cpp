@@ -1,5 +1,6 @@
 #include "solver/contact/restitution.hpp"
 
+#include "solver/direct/energy_limit.hpp"
 #include "solver/rows/operators.hpp"
 #include "solver/support/each_model.hpp"
 

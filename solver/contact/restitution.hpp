@@ -1,6 +1,5 @@
 #pragma once
 
-#include "solver/direct/energy_limit.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/scene.hpp"
 

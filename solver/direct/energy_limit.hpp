@@ -16,13 +16,6 @@ namespace byhand {
 /// Energies that differ by no more than this share are the same.
 constexpr double rounding = 1e-9;
 
-/// λ, and the velocities that it gives.
-template <class M>
-struct Answer {
-  std::vector<double> lambda;
-  std::vector<Velocity<M>> velocity;
-};
-
 /// What target rates, and fixed bodies that have a velocity, give to the bodies by λ [J].
 template <class M>
 double driven_energy(const System<M>& system, const Bodies<M>& bodies);

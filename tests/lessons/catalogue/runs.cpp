@@ -62,6 +62,16 @@ TEST(Outcome, OfABlockIsThatItSlidesAsItShould) {
   }
 }
 
+TEST(Outcome, OfABlockIsThatItSlidesBackWhereTheSlopeRises) {
+  for (const double speed : {0.0, 1.0, 2.0})
+    for (const double angle : {-25.0, -30.0, -60.0}) {
+      const Problem incline("incline", {{"angle", angle}, {"speed", speed}});
+      const Point point = measure(incline, sweeps(), with_beta(0.2, 1, 8));
+      EXPECT_EQ(point.outcome, Outcome::good) << point.reason;
+      EXPECT_LT(point[Error::trajectory], 0.03) << speed << " m/s, " << angle;
+    }
+}
+
 TEST(Effort, CountsADirectSolversPlansAsOftenAsContactsChange) {
   const auto planned = [](Scene<SpaceBody> scene, int steps) {
     AnyScene any(std::move(scene));
