@@ -47,6 +47,7 @@ std::vector<Eigen::Vector2d> exact_places(int links, double end_mass) {
 /// What has come of a chain. All are infinite once it has flown apart by more than its link, or gained more energy
 /// than gravity could give it: coordinates that cannot part can still explode.
 struct Hung {
+  enum class End { held, parted, exploded } end = End::held;
   double gap = 0;     // the largest of a pin [m]
   double off = 0;     // when compared, of the link that is farthest from where it belongs [m]
   double gained = 0;  // energy at the end less that at first, over what gravity could do over its reach
@@ -60,16 +61,35 @@ Hung hang(const Contestant<M>& contestant, const Scene<M>& scene, int frames,
     if (moves(scene.bodies().inverse_mass[i]))
       scale += gravity * scene.bodies().pose[i].position.norm() / scene.bodies().inverse_mass[i].linear;
   Hung hung;
-  double most_gained = 0;
   engines::run<M>(contestant, scene, frames, [&](const Scene<M>& seen, double time) {
     hung.gap = larger(hung.gap, position_error(seen).max);
     if (std::abs(time - exact_frames_of(static_cast<int>(exact.size())) * frame) < 0.5 * frame)
       for (std::size_t i = 0; i < exact.size(); ++i)
         hung.off = larger(hung.off, (seen.bodies().pose[i + 1].position.template head<2>() - exact[i]).norm());
     hung.gained = (energy(seen) - energy(scene)) / scale;
-    most_gained = larger(most_gained, hung.gained);
+    if (hung.end != Hung::End::held) return;
+    if (!(hung.gap < 1))
+      hung.end = Hung::End::parted;
+    else if (!(hung.gained < 1))
+      hung.end = Hung::End::exploded;
   });
-  return hung.gap < 1 && most_gained < 1 ? hung : Hung{INFINITY, INFINITY, INFINITY};
+  return hung.end == Hung::End::held ? hung : Hung{hung.end, INFINITY, INFINITY, INFINITY};
+}
+
+/// How those failed that did, as shipped and as advised.
+std::string failures(const std::vector<Outcomes<Hung>>& all) {
+  std::vector<std::string> parted, exploded;
+  for (const Outcomes<Hung>& one : all)
+    for (const std::size_t row : {0, 1}) {
+      const std::string name = say("@ as @", one.name, row == 0 ? "shipped" : "advised");
+      if (one.by_setting[row].end == Hung::End::parted) parted.push_back(name);
+      if (one.by_setting[row].end == Hung::End::exploded) exploded.push_back(name);
+    }
+  std::string words;
+  if (!parted.empty()) words += say("A pin opened by a link: @. ", listed(parted));
+  if (!exploded.empty())
+    words += say("The energy grew beyond that of a fall before any pin had opened so far: @.", listed(exploded));
+  return words;
 }
 
 std::string in_per_cent(double share) {
@@ -89,7 +109,7 @@ std::vector<std::vector<std::string>> energies(const std::vector<Outcomes<Hung>>
 }
 std::vector<std::string> head_of_energies() {
   std::vector<std::string> head{"", "as shipped", "as its manual advises"};
-  if (!alone()) head.emplace_back("with the least gap");
+  if (!alone()) head.emplace_back("best by the gap, as above");
   return head;
 }
 
@@ -123,13 +143,13 @@ void stiffer_by_hertz(Page& page, const std::string& name, const Scene<M>& scene
   const double power = std::log(with / first) / std::log(32.0 / 4);
   page.text(
       R"(The joints of @ are springs of a given frequency, 60 Hz as shipped, capped at a quarter of the substep rate.
-      So more substeps alone buy @ and the frequency has to be turned up with them. A spring of frequency ω yields by
+      So from four substeps on more of them alone take off @ of the gap, and the frequency has to be turned up with them. A spring of frequency ω yields by
       F/mω²: the gap after a second should go as 1/hertz², and goes as hertz to the power of @.)",
       name,
-      page.verdict({{.when = Quantity("gap with 32 substeps over that with 4", alone / first) > 0.5,
-                     .say = "next to nothing,"},
-                    {.when = Quantity("gap with 32 substeps over that with 4", alone / first) <= 0.5,
-                     .say = "something,"}}),
+      page.verdict({{.when = Quantity("gap with 32 substeps over that with 4", alone / first) > 0.9,
+                     .say = "next to nothing"},
+                    {.when = Quantity("gap with 32 substeps over that with 4", alone / first) <= 0.9,
+                     .say = say("@ %", Value(100 * (1 - alone / first), 2))}}),
       Value(power, 3));
   page.table({"substeps of " + name, "60 Hz, as shipped", "a quarter of the substeps"}, rows);
   page.claim("power of the hertz with which the gap goes, " + name, power, "1",
@@ -173,6 +193,7 @@ void chains(const Setting& setting, Page& page) {
                     "the load alone makes it @, and the links add to that.",
                     Value(pull, 3), Value(pull * frame * frame, 2))});
   tell_three<M>(page, field, gaps, Unit::metres);
+  if (const std::string how = failures(outcomes); !how.empty()) page.text("@", how);
   const Quantity law_7("T h²/(m l) with the links", number_of_law_7(links, end_mass));
   if (std::isfinite(gaps.front().shipped()) && law_7 >= 1)
     page.text(
@@ -199,8 +220,9 @@ void chains(const Setting& setting, Page& page) {
           say("The chain of @ with @ kg at its end: largest gap of a pin in @ s.", links, end_mass,
               Value(frames * frame, 2)),
           gaps, "largest gap (m)");
-  compare_by_time(page, "chain_clocked", "Gap and time of the same chain.", gaps,
-                  [=] { return against_time(field, gaps, scene, timed_frames, "largest gap (m)"); });
+  compare_by_time(page, "chain_clocked", "Gap and time of the same chain.", gaps, [=] {
+    return against_time(field, gaps, Timed<M>{scene, timed_frames}, "largest gap");
+  });
   stiffer_by_hertz<M>(page, "Box2D 3", scene);
 
   page.text(
@@ -209,7 +231,9 @@ void chains(const Setting& setting, Page& page) {
       Value(exact_frames_of(links) * frame, 2));
   tell_three<M>(page, field, offs, Unit::metres);
   compare_by_time(page, "chain_motion_clocked", "How far the worst link is off then, and the time of a frame.",
-                  offs, [=] { return against_time(field, offs, scene, timed_frames, "off by (m)"); });
+                  offs, [=] {
+                    return against_time(field, offs, Timed<M>{scene, timed_frames}, "off by");
+                  });
 
   page.text("Change in energy at the end, relative to the energy of a fall through the chain's length:");
   page.table(head_of_energies(), energies(outcomes, gaps));
@@ -227,13 +251,15 @@ void chains(const Setting& setting, Page& page) {
   page.text(
       R"(The same end mass on chains of other lengths, and a binary tree of 255 links of 1 kg without a load, each
       engine as its manual advises (–: left out):)");
-  std::vector<std::string> head{"largest gap"};
+  std::vector<std::string> head{"largest gap"}, out;
   std::vector<std::vector<std::string>> rows;
-  std::string out;
   for (std::size_t o = 0; o < others.size(); ++o) {
     const auto& [name, other, long_enough] = others[o];
     head.push_back(name);
     const Field<M> some = field_of(other, Kind::joints, From::home, 0);
+    for (const Engine& engine : members(Party::native))
+      if (const std::string why = why_not(engine, other); !why.empty() && why_not(engine, scene).empty())
+        out.push_back(say("@ of the @: it @", engine.name, name, why));
     const auto all = errors_of(outcomes_of(some, [&, &other = other, frames = long_enough](
                                                      const auto& who) { return hang<M>(who, other, frames); }),
                                &Hung::gap);
@@ -246,6 +272,7 @@ void chains(const Setting& setting, Page& page) {
   }
   for (auto& row : rows) row.resize(others.size() + 1, "–");
   page.table(head, rows);
+  if (!out.empty()) page.text("Left out besides: @.", listed(out));
 
   page.claim("the chain, this course as advised: largest gap", gaps.front().advised(), "m",
              is_at_most(0.01, "a hundredth of a link: a direct solve leaves the drift of the step alone"),
@@ -265,27 +292,28 @@ void chain_in_space(const Setting& setting, Page& page) {
   page.text(
       R"(The same chain in space: a pin is three rows, and a link has six degrees of freedom instead of three. @)",
       alone() ? ""
-              : "Here the engines of space meet this course in space; a grey line shows what the smaller model "
+              : "Here the engines of space meet this course in space; a pale line shows what the smaller model "
                 "saves.");
   tell_three<M>(page, field, gaps, Unit::metres);
+  if (const std::string how = failures(outcomes); !how.empty()) page.text("@", how);
   page.text("Change in energy at the end, as above:");
   page.table(head_of_energies(), energies(outcomes, gaps));
-  compare_by_time(page, "space_chain_clocked",
-                  "Gap and time of the chain in space. Grey: this course in the plane.", gaps, [=] {
-                    Chart chart = against_time(field, gaps, scene, timed_space_frames, "largest gap (m)");
-                    const Scene<PlaneBody> flat = chain_of<PlaneBody>(links, end_mass);
-                    Field<PlaneBody> own = field_of(flat, Kind::joints);
-                    own.entrants.resize(1);
-                    const auto plane = errors_of(
-                        outcomes_of(own, [&](const auto& who) { return hang<PlaneBody>(who, flat, frames); }),
-                        &Hung::gap);
-                    Curve curve = against_time(own, plane, flat, timed_space_frames, "").curves.front();
-                    curve.label += ", in the plane";
-                    curve.style = CurveStyle::line_and_markers;
-                    curve.colour = palette::muted;
-                    chart.curves.push_back(curve);
-                    return chart;
-                  });
+  compare_by_time(
+      page, "space_chain_clocked", "Gap and time of the chain in space. Pale blue: this course in the plane.",
+      gaps, [=] {
+        Chart chart = against_time(field, gaps, Timed<M>{scene, timed_space_frames}, "largest gap");
+        const Scene<PlaneBody> flat = chain_of<PlaneBody>(links, end_mass);
+        Field<PlaneBody> own = field_of(flat, Kind::joints);
+        own.entrants.resize(1);
+        const auto plane = errors_of(
+            outcomes_of(own, [&](const auto& who) { return hang<PlaneBody>(who, flat, frames); }), &Hung::gap);
+        Curve curve = against_time(own, plane, Timed<PlaneBody>{flat, timed_space_frames}, "").curves.front();
+        curve.label += ", in the plane";
+        curve.style = CurveStyle::line_and_markers;
+        curve.colour = fade(palette::series(0), 0.5);
+        chart.curves.push_back(curve);
+        return chart;
+      });
   page.text("How far the worst link is off after @ s:", Value(exact_frames_of(links) * frame, 2));
   tell_three<M>(page, field, offs, Unit::metres);
   stiffer_by_hertz<M>(page, "Box3D", scene);
@@ -308,11 +336,13 @@ void chain_in_webassembly_of(const Setting& setting, const std::string& place, P
   const auto gaps = errors_of(outcomes, &Hung::gap), offs = errors_of(outcomes, &Hung::off);
   page.text("The chain of step 3 @, its largest gap:", place);
   tell_three<M>(page, field, gaps, Unit::metres);
+  if (const std::string how = failures(outcomes); !how.empty()) page.text("@", how);
   page.text("How far its worst link is off after @ s:", Value(exact_frames_of(links) * frame, 2));
   tell_three<M>(page, field, offs, Unit::metres);
   compare_by_time(page, say("webassembly_chain_@", M::linear),
-                  say("How far the worst link is off, and the time of a frame, @.", place), offs,
-                  [=] { return against_time(field, offs, scene, timed_space_frames, "off by (m)"); });
+                  say("How far the worst link is off, and the time of a frame, @.", place), offs, [=] {
+                    return against_time(field, offs, Timed<M>{scene, timed_space_frames}, "off by");
+                  });
   const Engine& own = engines::this_course();
   const double native = hang<M>(engines::contestant<M>(own, own.settings.joints[1]), scene, frames).gap;
   page.claim(say("the chain @, this course as advised in WebAssembly: largest gap", place), gaps.front().advised(),

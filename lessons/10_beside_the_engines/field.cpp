@@ -6,6 +6,8 @@ namespace byhand::beside {
 
 namespace {
 
+constexpr int rounds = 3;  // of each time
+
 template <class M>
 Entrant<M> entrant_of(const Engine& engine, Kind kind, double most_work) {
   Entrant<M> entrant{engine.name, {}};
@@ -23,6 +25,10 @@ std::vector<Engine> members(Party party) {
   std::vector<Engine> all = engines::all_engines();
   all.insert(all.begin(), engines::this_course());
   return all;
+}
+
+std::string with_build(const Engine& engine) {
+  return say("@@", engine.method, engine.build.empty() ? "" : say("; @", engine.build));
 }
 
 template <class M>
@@ -83,13 +89,17 @@ namespace {
 Chart compared(const std::vector<Errors>& all, const std::string& label) {
   Chart chart{.y = {.label = label, .scale = Scale::logarithmic}};
   chart.x.range = {{-0.5, static_cast<double>(all.size()) - 0.5}};
-  const std::pair<const char*, double (Errors::*)() const> rows[] = {
-      {"as shipped", &Errors::shipped},
-      {"as its manual advises", &Errors::advised},
-      {"best of the settings tried", &Errors::best}};
+  struct Drawn {
+    const char* name;
+    double (Errors::*number)() const;
+    Colour colour;  // no engine's
+  };
+  const Drawn rows[] = {{"as shipped", &Errors::shipped, fade(palette::ink, 0.4)},
+                        {"as its manual advises", &Errors::advised, fade(palette::ink, 0.7)},
+                        {"best of the settings tried", &Errors::best, palette::ink}};
   double aside = -0.12;  // or equal values would hide each other
-  for (const auto& [name, number] : rows) {
-    Curve curve{.label = name, .style = CurveStyle::markers};
+  for (const auto& [name, number, colour] : rows) {
+    Curve curve{.label = name, .style = CurveStyle::markers, .colour = colour};
     for (std::size_t i = 0; i < all.size(); ++i) {
       curve.x.push_back(static_cast<double>(i) + aside);
       curve.y.push_back(told((all[i].*number)()));
@@ -120,7 +130,12 @@ void compare_by_time(Page& page, const std::string& name, const std::string& cap
   if (std::none_of(errors.begin(), errors.end(), [](const Errors& one) { return std::isfinite(one.best()); }))
     page.text("No setting survived, so there is no chart of error and time.");
   else
-    page.clocked(name, caption, chart);
+    page.clocked(
+        name,
+        say(R"(@ Of each engine's settings those are drawn that none of its own beats in both, without those
+                     that failed; a time is the least of @ rounds.)",
+            caption, rounds),
+        chart);
 }
 
 namespace {
@@ -138,22 +153,31 @@ std::vector<Point> front(std::vector<Point> all) {
   return kept;
 }
 
-/// Of members, each of which keeps its place, and so its colour and marker, in every figure of its party: the
-/// series' colours, and two more.
+/// Of members, each of which keeps its place, and so its colour and marker, in every figure; those in WebAssembly
+/// come after the others. The series' colours, and more.
 Colour colour_of(std::size_t place) {
   constexpr std::size_t series = 8;
-  constexpr Colour further[] = {palette::muted, {0, 139, 160}};
-  return place < series ? palette::series(static_cast<int>(place)) : further[(place - series) % 2];
+  constexpr Colour further[] = {palette::muted, {0, 139, 160}, {122, 74, 160}, {150, 90, 30},
+                                {190, 60, 70},  {60, 120, 60}, {40, 70, 130}};
+  return place < series ? palette::series(static_cast<int>(place))
+                        : further[(place - series) % std::size(further)];
 }
 
-/// Who has the smaller error at equal time, from which time on, who is level within the spread of the times, and
-/// of the others who is quicker than all runs of the course.
-std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>& all) {
+/// How many places the members before these take.
+std::size_t places_before(Party party) {
+  return party == Party::webassembly ? members(Party::native).size() - 1 : 0;  // this course is the first of both
+}
+
+/// Who has the smaller error at equal time, with the quickest run that has, who is level within the spread of the
+/// times, and of the others who is quicker than all runs of the course.
+std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>& all, Unit unit) {
   using engines::Rank;
   const auto those = [&](Rank rank, const std::string& words) {
     std::vector<std::string> names;
     for (const auto& [name, beside] : all)
-      if (beside.rank == rank) names.push_back(say("@ (@ µs)", name, Value(1e6 * beside.seconds, 2)));
+      if (beside.rank == rank)
+        names.push_back(say("@ (@ in @ µs)", name, in_words(beside.point.error, unit),
+                            Value(1e6 * beside.point.seconds.least, 2)));
     return names.empty() ? "" : words + listed(names);
   };
   std::string title;
@@ -169,15 +193,16 @@ std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>&
 }  // namespace
 
 template <class M>
-Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, const Scene<M>& scene, int frames,
-                   const std::string& label) {
+Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, const Timed<M>& timed,
+                   const std::string& label, Unit unit) {
   std::vector<Contestant<M>> contestants;  // without what failed
   for (std::size_t i = 0; i < errors.size(); ++i)
     for (std::size_t j = 0; j < errors[i].by_setting.size(); ++j)
       if (std::isfinite(errors[i].by_setting[j])) contestants.push_back(field.entrants[i].settings[j]);
-  const std::vector<engines::Seconds> seconds = engines::seconds_a_frame(contestants, scene, frames, 3);
+  const std::vector<engines::Seconds> seconds =
+      engines::seconds_a_frame(timed.start, contestants, timed.scene, timed.frames, rounds);
   const std::string where = field.party == Party::webassembly ? " in WebAssembly" : "";
-  Chart chart{.x = {.label = label, .scale = Scale::logarithmic},
+  Chart chart{.x = {.label = label + (unit == Unit::metres ? " (m)" : " (rad)"), .scale = Scale::logarithmic},
               .y = {.label = "processor time" + where + " (µs a frame)", .scale = Scale::logarithmic}};
   std::vector<std::vector<Point>> points;
   std::size_t place = 0;
@@ -191,10 +216,13 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
   }
   for (const Engine& member : members(field.party)) {
     const std::string& name = member.name;
+    // A curve without a name or points keeps the markers of the others.
+    if (chart.curves.size() == 1)
+      chart.curves.resize(1 + places_before(field.party), {.style = CurveStyle::line_and_markers});
     Curve curve{.label = name, .style = CurveStyle::line_and_markers, .colour = colour_of(chart.curves.size())};
     const auto own = std::find_if(errors.begin(), errors.end(), [&](const Errors& e) { return e.name == name; });
     if (own == errors.end()) {
-      curve.label.clear();  // a curve without a name or points keeps the markers of the others
+      curve.label.clear();
     } else {
       for (const Point& point : front(points[own - errors.begin()])) {
         curve.x.push_back(point.error);
@@ -208,7 +236,7 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
   std::vector<std::pair<std::string, engines::Beside>> beside;
   for (std::size_t i = 1; i < points.size(); ++i)
     beside.emplace_back(errors[i].name, engines::at_equal_time(points[i], points[0]));
-  if (!beside.empty()) chart.title = title_of(beside);
+  if (!beside.empty()) chart.title = title_of(beside, unit);
   if (std::any_of(errors.begin(), errors.end(), [](const Errors& one) { return one.best() <= margin; }))
     chart.references.push_back({.axis = Reference::Across::x, .value = margin, .label = "or less"});
   return chart;
@@ -228,31 +256,41 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
       {"As shipped,", &Errors::shipped}, {"As advised,", &Errors::advised}, {"At their best,", &Errors::best}};
   for (const auto& [name, number] : rows) {
     const double own = told((all[0].*number)());
-    double theirs = INFINITY;
+    double worst_ahead = 0, worst_level = 0, least = INFINITY;
     std::vector<std::string> ahead, level;
     for (std::size_t i = 1; i < all.size(); ++i) {
       const double error = told((all[i].*number)());
-      theirs = std::min(theirs, error);
+      least = std::min(least, error);
       if (engines::equal_errors * error < own)
-        ahead.push_back(all[i].name);
+        ahead.push_back(all[i].name), worst_ahead = std::max(worst_ahead, error);
       else if (std::isfinite(own) && error < engines::equal_errors * own)
-        level.push_back(all[i].name);
+        level.push_back(all[i].name), worst_level = std::max(worst_level, error);
     }
-    const Quantity ours("ours", own), less("1.01 × their least", 1.01 * theirs), more("1.01 × ours", 1.01 * own),
-        least("their least", theirs);
     std::vector<std::string> below{"this course"};
     below.insert(below.end(), level.begin(), level.end());
-    const std::string equal =
-        level.empty() ? say("@ all fail.", name)
-        : own <= margin
-            ? say("@ @ are @ @, where this comparison ends.", name, listed(below),
-                  below.size() == 2 ? "both" : "all", unit == Unit::metres ? "below 1 µm" : "below 10⁻⁶ rad")
-            : say("@ this course has the least error, level with @.", name, listed(level));
-    words += say("@@", words.empty() ? "" : " ",
-                 page.verdict({{.when = less < ours,
-                                .say = say("@ this course has more error than @.", name, listed(ahead))},
-                               {.when = least > more, .say = say("@ this course has the least error.", name)},
-                               {.when = least <= more, .say = equal}}));
+    const Quantity ours("ours", own), theirs("the least of theirs", least);
+    std::vector<course::Judgement> sentences;
+    if (!ahead.empty() && std::isfinite(own))
+      sentences.push_back({.when = Quantity("the largest of theirs", worst_ahead) < ours,
+                           .say = say("@ this course has more error than @.", name, listed(ahead))});
+    else if (!ahead.empty())
+      sentences.push_back({.when = Quantity("the largest of theirs", worst_ahead) < INFINITY,
+                           .say = say("@ this course fails, and @.", name,
+                                      ahead.size() == 1 ? ahead[0] + " does not" : listed(ahead) + " do not")});
+    else if (!std::isfinite(own))
+      sentences.push_back({.when = theirs >= INFINITY, .say = say("@ all fail.", name)});
+    else if (level.empty())
+      sentences.push_back({.when = theirs > ours, .say = say("@ this course has the least error.", name)});
+    else if (own <= margin)
+      sentences.push_back({.when = Quantity("the largest", std::max(own, worst_level)) <= margin,
+                           .say = say("@ @ are @ @, where this comparison ends.", name, listed(below),
+                                      below.size() == 2 ? "both" : "all",
+                                      unit == Unit::metres ? "below 1 µm" : "below 10⁻⁶ rad")});
+    else
+      sentences.push_back({.when = Quantity("the largest of those level", worst_level) <=
+                                   Quantity("1.01 × ours", engines::equal_errors * own),
+                           .say = say("@ this course has the least error, level with @.", name, listed(level))});
+    words += say("@@", words.empty() ? "" : " ", page.verdict(sentences));
   }
   return words;
 }
@@ -262,8 +300,8 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
   template std::string why_not(const Engine&, const Scene<M>&, From);                                           \
   template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, Unit); \
   template void tell_three(Page&, const Field<M>&, const std::vector<Errors>&, Unit);                           \
-  template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Scene<M>&, int,                \
-                              const std::string&);                                                              \
+  template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Timed<M>&, const std::string&, \
+                              Unit);                                                                            \
   template double deepest_overlap(const Scene<M>&)
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceBody);

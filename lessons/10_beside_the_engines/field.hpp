@@ -17,7 +17,7 @@ constexpr double most_of_a_pendulum = 32, most_in_space = 256;  // iterations a 
 constexpr double most_of_contacts = engines::contact_iterations.back(),
                  most_of_a_wall_in_space = engines::contact_iterations.front();
 /// Of joints and of contacts: under node all engines share one process.
-constexpr double most_in_webassembly = 32;
+constexpr double most_in_webassembly = 128;
 constexpr int settling = 60;  // frames in which a pile comes to its engine's own rest
 
 /// The name under which the course's solver takes part.
@@ -51,6 +51,9 @@ Field<M> field_of(const Scene<M>& scene, Kind kind, From from = From::home, doub
 
 /// All who may take part somewhere, this course first.
 std::vector<Engine> members(Party party);
+
+/// How it solves, and how it was built where that matters.
+std::string with_build(const Engine& engine);
 
 /// Why an engine is left out of such a field; empty if it is not.
 template <class M>
@@ -124,7 +127,7 @@ std::string listed(const std::vector<std::string>& names);
 template <class M>
 std::vector<std::vector<std::string>> three_rows(const Field<M>& field, const std::vector<Errors>& all, Unit unit);
 inline const std::vector<std::string> head_of_three_rows{"", "as shipped", "as its manual advises",
-                                                         "best of its settings", "setting"};
+                                                         "best of the settings tried", "setting"};
 
 /// Adds these rows as a table, and below it who has less error than the course. Alone the course has no best of
 /// its settings.
@@ -136,13 +139,22 @@ void tell_three(Page& page, const Field<M>& field, const std::vector<Errors>& al
 void compare(Page& page, const std::string& name, const std::string& caption, const std::vector<Errors>& all,
              const std::string& label);
 
-/// Microseconds a frame against the error, one curve an entrant: of its settings those that no other of its own
-/// beats in both. Its title names who is ahead of the course somewhere.
+/// The run that a chart times, of the scene and from the start whose error it shows.
 template <class M>
-Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, const Scene<M>& scene, int frames,
-                   const std::string& label);
+struct Timed {
+  Scene<M> scene;
+  int frames;
+  engines::Start<M> start = {};
+};
 
-/// The figure of such a chart. None of the course alone, and none where no setting survived.
+/// Microseconds a frame against the error, one curve an entrant: of its settings those that no other of its own
+/// beats in both. Its title names who is ahead of the course somewhere. `label` is the error's, without its unit.
+template <class M>
+Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, const Timed<M>& timed,
+                   const std::string& label, Unit unit = Unit::metres);
+
+/// The figure of such a chart, whose caption goes on with what is drawn. None of the course alone, and none where
+/// no setting survived.
 void compare_by_time(Page& page, const std::string& name, const std::string& caption,
                      const std::vector<Errors>& errors, const std::function<Chart()>& chart);
 

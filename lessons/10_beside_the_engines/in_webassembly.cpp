@@ -20,10 +20,11 @@ void in_webassembly(const Setting& setting, Page& page) {
   if (all.empty()) return;
   page.text(
       R"(WebAssembly is slower than native code, and not by the same factor for every engine. So the times of this step
-      are compared with one another only; errors do not depend on it.)");
+      are compared with one another only; errors do not depend on it. Settings of up to @ iterations a frame are tried.)",
+      most_in_webassembly);
   std::vector<std::vector<std::string>> rows;
   for (const Engine& engine : all)
-    rows.push_back({engine.name, engine.version, engine.single ? "single" : "double", engine.method,
+    rows.push_back({engine.name, engine.version, engine.single ? "single" : "double", with_build(engine),
                     engine.file.substr(engine.file.rfind('/') + 1)});
   page.table({"engine", "version", "precision", "how it solves", "its settings"}, rows);
   if (const auto out = left_out(setting, Party::webassembly); !out.empty()) page.table(head_of_left_out, out);

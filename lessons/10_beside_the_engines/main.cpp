@@ -34,16 +34,17 @@ int main(int argc, char** argv) {
       "Two engines can be compared only in the same scene, by the same measure, for as long as the scene's "
       "slowest "
       "motion takes, and each with its own settings tuned.",
-      "The error of a single joint is that of its scheme, whoever wrote it."};
+      "The error of a single joint that is solved to the end is that of its scheme, whoever wrote it."};
   if (alone()) {
     known.emplace_back("With one engine only, this lesson shows how to measure, not who is better.");
   } else {
     known.emplace_back(
-        "An engine's defaults are chosen for games: one step a frame, an overlap that is left, a few iterations. "
-        "Each is a term of its error that you can compute.");
+        "An engine's defaults are chosen for speed: few steps, few iterations, an overlap that is left. Each is a "
+        "term of its error that you can compute.");
     known.emplace_back(
-        "A load on a chain needs a direct solve, coordinates that cannot part, or many short steps; a stack needs "
-        "many iterations or a direct solve.");
+        "A load on a chain needs a direct solve, coordinates that cannot part, or many short steps; a tall stack "
+        "needs "
+        "many iterations, a direct solve, or contacts that give way.");
     const auto soft = [](const auto& engine) { return engine.name == "Box2D 3" || engine.name == "Box3D"; };
     if (std::any_of(engines::all_engines().begin(), engines::all_engines().end(), soft))
       known.emplace_back(

@@ -71,7 +71,7 @@ void by_scheme(Page& page, const Scene<M>& rod, const CompoundPendulum& exact) {
     }
   }
   page.text(
-      R"(The error of a single joint comes from the scheme, not from the engine. With four steps a frame for all:)");
+      R"(The error of a single joint comes from the scheme, not from the engine. With four steps a frame for these:)");
   page.table({"", "error of the angle"}, rows);
 }
 
@@ -117,9 +117,11 @@ void pendulums(const Setting&, Page& page) {
   compare(page, "pendulum_angle",
           say("The rod on a pin: largest error of its angle in @ s.", pendulum_frames * frame), rods,
           "error of the angle (rad)");
-  compare_by_time(page, "pendulum_clocked",
-                  "Error and time of the rod on a pin. As in lesson 9, down and left is good.", rods,
-                  [=] { return against_time(with_pins, rods, rod, pendulum_frames, "error of the angle (rad)"); });
+  compare_by_time(
+      page, "pendulum_clocked", "Error and time of the rod on a pin. As in lesson 9, down and left is good.", rods,
+      [=] {
+        return against_time(with_pins, rods, Timed<M>{rod, pendulum_frames}, "error of the angle", Unit::radians);
+      });
   by_scheme(page, rod, exact_rod);
   page.text("The bob on a rod:");
   tell_three<M>(page, with_rods, bobs, Unit::radians);

@@ -7,7 +7,7 @@
 namespace byhand::beside {
 namespace {
 
-constexpr int wall_frames = 300, timed_wall_frames = 40;  // 5 s, ⅔ s
+constexpr int wall_frames = 300, timed_wall_frames = 40;  // 5 s, ⅔ s from rest on
 constexpr double wall_kick = 0.02;                        // [m/s]
 
 /// The largest sideways displacement of any box from its engine's rest, and down; how deep two overlap [m].
@@ -19,23 +19,21 @@ template <class M>
 Wall end_of(const Contestant<M>& contestant, const Scene<M>& scene, double speed) {
   Wall result;
   Scene<M> rest = scene;
-  engines::run_from_rest<M>(
-      contestant, scene, settling, wall_frames,
-      [&](Scene<M>& seen) {
-        rest.state() = seen.bodies();
-        if (speed > 0) kick(seen, speed);
-        return speed > 0;
-      },
-      [&](const Scene<M>& seen, double time) {
-        if (time < (wall_frames - 0.5) * frame) return;
-        for (int i = 0; i < scene.bodies().size(); ++i) {
-          Linear<M> moved = seen.bodies().pose[i].position - rest.bodies().pose[i].position;
-          result.sagged = larger(result.sagged, -moved[1]);
-          moved[1] = 0;
-          result.moved = larger(result.moved, moved.norm());
-        }
-        result.overlap = deepest_overlap(seen);
-      });
+  const engines::Start<M> start{settling, [&](Scene<M>& seen) {
+                                  rest.state() = seen.bodies();
+                                  if (speed > 0) kick(seen, speed);
+                                  return speed > 0;
+                                }};
+  engines::run_from<M>(start, contestant, scene, wall_frames, [&](const Scene<M>& seen, double time) {
+    if (time < (wall_frames - 0.5) * frame) return;
+    for (int i = 0; i < scene.bodies().size(); ++i) {
+      Linear<M> moved = seen.bodies().pose[i].position - rest.bodies().pose[i].position;
+      result.sagged = larger(result.sagged, -moved[1]);
+      moved[1] = 0;
+      result.moved = larger(result.moved, moved.norm());
+    }
+    result.overlap = deepest_overlap(seen);
+  });
   return result;
 }
 
@@ -102,10 +100,12 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
   }
   compare_by_time(
       page, figure,
-      say(R"(The pyramid: the largest sideways displacement of any box after 5 s, and the mean time of its first @
-          frames.)",
+      say(R"(The pyramid: the largest sideways displacement of any box in 5 s from rest, and the mean time of the first @
+          of those frames.)",
           timed_wall_frames),
-      moved, [=] { return against_time(field, moved, scene, timed_wall_frames, "moved sideways (m)"); });
+      moved, [=] {
+        return against_time(field, moved, Timed<M>{scene, timed_wall_frames, {settling}}, "moved sideways");
+      });
   page.claim("this course, the pyramid: most that a box has moved sideways in four runs", most_moved, "m",
              is_at_most(0.02, "a fiftieth of a box: it stands"));
 }
@@ -155,9 +155,11 @@ void wall_in_webassembly_of(int base, const std::string& where, Page& page) {
   page.text("The pyramid of step 6 @: the largest sideways displacement of a box from rest in @ s.", where,
             wall_frames * frame);
   tell_three<M>(page, field, moved, Unit::metres);
-  compare_by_time(page, say("webassembly_wall_@", M::linear),
-                  say("Displacement and time of the pyramid @.", where), moved,
-                  [=] { return against_time(field, moved, scene, timed_wall_frames, "moved sideways (m)"); });
+  compare_by_time(
+      page, say("webassembly_wall_@", M::linear), say("Displacement and time of the pyramid @.", where), moved,
+      [=] {
+        return against_time(field, moved, Timed<M>{scene, timed_wall_frames, {settling}}, "moved sideways");
+      });
   page.text("How deep two boxes overlap at the end, which is partly each engine's intention:");
   tell_three<M>(page, field, overlap, Unit::metres);
 }

@@ -121,6 +121,7 @@ void add_box2d_2(std::vector<Engine>& all) {
                  .file = "lessons/engines/settings/box2d_2.cpp",
                  .home = Home::plane,
                  .single = true,
+                 .build = "Debian's is compiled with its checks on",
                  .settings = box2d_2_settings(),
                  .in_plane = build});
 }

@@ -1,5 +1,8 @@
 #include "lessons/engines/contest.hpp"
 
+#include <algorithm>
+#include <optional>
+
 namespace byhand::engines {
 namespace {
 
@@ -32,15 +35,25 @@ Contestant<M> contestant(const Engine& engine, const Setting& setting) {
           }};
 }
 
+namespace {
+
+/// From the start on, the scene as the engine has it.
 template <class M>
-void run_from_rest(const Contestant<M>& contestant, const Scene<M>& scene, int settling, int frames,
-                   const std::function<bool(Scene<M>&)>& begin,
-                   const std::function<void(const Scene<M>&, double)>& look) {
+Scene<M> begun(const Start<M>& start, World<M>& world, int steps, const Scene<M>& scene) {
   Scene<M> seen = scene;
+  for (int i = 0; i < start.settling; ++i) run_frame(world, steps);
+  if (start.settling > 0) world.read(seen.state());
+  if (start.begin(seen)) world.set_velocities(seen.bodies());
+  return seen;
+}
+
+}  // namespace
+
+template <class M>
+void run_from(const Start<M>& start, const Contestant<M>& contestant, const Scene<M>& scene, int frames,
+              const std::function<void(const Scene<M>&, double)>& look) {
   const auto world = contestant.build(scene);
-  for (int i = 0; i < settling; ++i) run_frame(*world, contestant.setting.steps);
-  if (settling > 0) world->read(seen.state());
-  if (begin(seen)) world->set_velocities(seen.bodies());
+  Scene<M> seen = begun(start, *world, contestant.setting.steps, scene);
   for (int i = 1; i <= frames; ++i) {
     run_frame(*world, contestant.setting.steps);
     world->read(seen.state());
@@ -51,17 +64,17 @@ void run_from_rest(const Contestant<M>& contestant, const Scene<M>& scene, int s
 template <class M>
 void run(const Contestant<M>& contestant, const Scene<M>& scene, int frames,
          const std::function<void(const Scene<M>&, double)>& look) {
-  run_from_rest<M>(
-      contestant, scene, 0, frames, [](Scene<M>&) { return false; }, look);
+  run_from<M>({}, contestant, scene, frames, look);
 }
 
 template <class M>
-std::vector<Seconds> seconds_a_frame(const std::vector<Contestant<M>>& contestants, const Scene<M>& scene,
-                                     int frames, int rounds) {
+std::vector<Seconds> seconds_a_frame(const Start<M>& start, const std::vector<Contestant<M>>& contestants,
+                                     const Scene<M>& scene, int frames, int rounds) {
   std::vector<Seconds> all(contestants.size(), {std::numeric_limits<double>::infinity(), 0});
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < contestants.size(); ++i) {
       const auto world = contestants[i].build(scene);
+      begun(start, *world, contestants[i].setting.steps, scene);
       const double begin = world->seconds();
       for (int j = 0; j < frames; ++j) run_frame(*world, contestants[i].setting.steps);
       const double seconds = (world->seconds() - begin) / frames;
@@ -71,41 +84,42 @@ std::vector<Seconds> seconds_a_frame(const std::vector<Contestant<M>>& contestan
 }
 
 Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>& others) {
-  const auto quickest = [&](const auto& counts) {
-    double seconds = std::numeric_limits<double>::infinity();
-    for (const Point& point : points)
-      if (counts(point)) seconds = std::min(seconds, point.seconds.least);
-    return seconds;
+  const auto seconds = [](const Point& point) { return point.seconds.least; };
+  const auto quickest_other = std::ranges::min_element(others, {}, seconds);
+  const auto within = [&](double time, double error) {
+    return std::ranges::any_of(
+        others, [=](const Point& other) { return other.seconds.least <= time && other.error <= error; });
   };
-  const auto as_quick = [&](double time, double error) {
-    return std::any_of(others.begin(), others.end(),
-                       [=](const Point& other) { return other.seconds.least <= time && other.error <= error; });
+  const auto first = [&](const auto& counts) {
+    std::vector<Point> found;
+    std::ranges::copy_if(points, std::back_inserter(found), counts);
+    const auto least = std::ranges::min_element(found, {}, seconds);
+    return least == found.end() ? std::nullopt : std::optional(*least);
   };
   const auto beats = [&](double Seconds::*round) {
-    return quickest([&](const Point& point) {
-      const double time = point.seconds.*round;
-      return as_quick(time, std::numeric_limits<double>::infinity()) &&
-             !as_quick(time, equal_errors * point.error);
+    return first([&, round](const Point& point) {
+      return !others.empty() &&
+             !within(std::max(point.seconds.*round, quickest_other->seconds.least), equal_errors * point.error);
     });
   };
-  const std::pair<Rank, double> ranks[] = {
+  const std::pair<Rank, std::optional<Point>> ranks[] = {
       {Rank::ahead, beats(&Seconds::most)},
       {Rank::level, beats(&Seconds::least)},
-      {Rank::quicker, quickest([&](const Point& point) { return !as_quick(point.seconds.most, INFINITY); })}};
-  for (const auto& [rank, seconds] : ranks)
-    if (std::isfinite(seconds)) return {rank, seconds};
+      {Rank::quicker, first([&](const Point& point) { return !within(point.seconds.most, INFINITY); })}};
+  for (const auto& [rank, point] : ranks)
+    if (point) return {rank, *point};
   return {};
 }
 
-#define BYHAND_INSTANTIATE(M)                                                       \
-  template struct Contestant<M>;                                                    \
-  template Contestant<M> contestant(const Engine&, const Setting&);                 \
-  template void run(const Contestant<M>&, const Scene<M>&, int,                     \
-                    const std::function<void(const Scene<M>&, double)>&);           \
-  template void run_from_rest(const Contestant<M>&, const Scene<M>&, int, int,      \
-                              const std::function<bool(Scene<M>&)>&,                \
-                              const std::function<void(const Scene<M>&, double)>&); \
-  template std::vector<Seconds> seconds_a_frame(const std::vector<Contestant<M>>&, const Scene<M>&, int, int)
+#define BYHAND_INSTANTIATE(M)                                                                       \
+  template struct Contestant<M>;                                                                    \
+  template Contestant<M> contestant(const Engine&, const Setting&);                                 \
+  template void run(const Contestant<M>&, const Scene<M>&, int,                                     \
+                    const std::function<void(const Scene<M>&, double)>&);                           \
+  template void run_from(const Start<M>&, const Contestant<M>&, const Scene<M>&, int,               \
+                         const std::function<void(const Scene<M>&, double)>&);                      \
+  template std::vector<Seconds> seconds_a_frame(const Start<M>&, const std::vector<Contestant<M>>&, \
+                                                const Scene<M>&, int, int)
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceBody);
 #undef BYHAND_INSTANTIATE

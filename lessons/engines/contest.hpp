@@ -28,23 +28,29 @@ template <class M>
 void run(const Contestant<M>& contestant, const Scene<M>& scene, int frames,
          const std::function<void(const Scene<M>&, double)>& look);
 
-/// The same, after so many `settling` frames in which the engine comes to its own rest: look's time begins there,
-/// and `begin` is called once with that rest. Where it returns true, the velocities it has set become the bodies'.
+/// How a run begins: with so many `settling` frames in which the engine comes to its own rest. Then `begin` is
+/// called once with that rest. Where it returns true, the velocities it has set become the bodies'.
 template <class M>
-void run_from_rest(const Contestant<M>& contestant, const Scene<M>& scene, int settling, int frames,
-                   const std::function<bool(Scene<M>&)>& begin,
-                   const std::function<void(const Scene<M>&, double)>& look);
+struct Start {
+  int settling = 0;
+  std::function<bool(Scene<M>&)> begin = [](Scene<M>&) { return false; };
+};
+
+/// The same from such a start: look's time begins after it.
+template <class M>
+void run_from(const Start<M>& start, const Contestant<M>& contestant, const Scene<M>& scene, int frames,
+              const std::function<void(const Scene<M>&, double)>& look);
 
 /// Processor seconds a frame: of the quickest and the slowest of some rounds.
 struct Seconds {
   double least = 0, most = 0;
 };
 
-/// Those of each contestant, the mean of so many frames in each round. The contestants take turns, so that what
-/// else the machine does troubles all alike. Building is not timed.
+/// Those of each contestant, the mean of so many frames after the start in each round. The contestants take turns,
+/// so that what else the machine does troubles all alike. Building and the start are not timed.
 template <class M>
-std::vector<Seconds> seconds_a_frame(const std::vector<Contestant<M>>& contestants, const Scene<M>& scene,
-                                     int frames, int rounds);
+std::vector<Seconds> seconds_a_frame(const Start<M>& start, const std::vector<Contestant<M>>& contestants,
+                                     const Scene<M>& scene, int frames, int rounds);
 
 /// A setting's time and error.
 struct Point {
@@ -56,14 +62,14 @@ struct Point {
 /// Errors within a hundredth of each other count as equal.
 constexpr double equal_errors = 1.01;
 
-/// One entrant beside another. Two are compared at a time within which both have a run: ahead if some point of its
-/// own has a smaller error than each point of the other that might be as fast, its slowest round against the
+/// One entrant beside another. Two are compared within any time that leaves both a run: ahead if some point of its
+/// own then has a smaller error than each point of the other that might be as fast, its slowest round against the
 /// other's quickest; level if only its quickest round would be ahead. Neither, but quicker, if the other has no
 /// run as fast.
 enum class Rank { behind, quicker, level, ahead };
 struct Beside {
   Rank rank = Rank::behind;
-  double seconds = 0;  // of the quickest such point
+  Point point = {};  // the quickest such
 };
 Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>& others);
 

@@ -236,6 +236,7 @@ struct Found {
          .method = "sweeps, then sweeps over positions",
          .file = "lessons/engines/settings/jolt.cpp",
          .single = true,
+         .build = "compiled without SIMD",
          .settings = jolt_settings(),
          .refusal = no_rods,
          .in_plane = in_host<PlaneBody>("jolt"),
@@ -246,6 +247,7 @@ struct Found {
          .file = "lessons/engines/settings/rapier.cpp",
          .home = Home::plane,
          .single = true,
+         .build = "its deterministic package, which is the slower one",
          .settings = rapier_settings(),
          .refusal = no_rods,
          .in_plane = in_host<PlaneBody>("rapier")});

@@ -5,35 +5,42 @@
 namespace byhand::engines {
 namespace {
 
-const std::string layer_source = "objects.h, dWorldSetContactSurfaceLayer: 0.001 can prevent jittering",
-                  step_source =
-                      "wiki, HOWTO make the simulation better: a smaller step is more accurate and more stable";
+const std::string
+    contact_source =
+        "objects.h: dWorldSetContactSurfaceLayer, 0.001 can prevent jittering; dWorldStep's remedies begin "
+        "with more CFM, 1e-5 being what it has in single precision",
+    step_source = "wiki, HOWTO make the simulation better: a smaller step is more accurate and more stable";
+const Setting advised_for_joints{.row = Row::advised, .steps = 2, .source = step_source},
+    advised_for_contacts{
+        .row = Row::advised, .knobs = {{"layer", 0.001}, {"CFM", 1e-5}}, .source = contact_source};
 
 }  // namespace
 
 Settings ode_quick_settings() {
-  Settings all{.joints = {{}, {.row = Row::advised, .steps = 4, .source = step_source}},
-               .contacts = {{}, {.row = Row::advised, .knobs = {{"layer", 0.001}}, .source = layer_source}}};
+  Settings all{.joints = {{}, advised_for_joints}, .contacts = {{}, advised_for_contacts}};
   for (const double erp : {0.2, 0.8}) {
     for (const auto& [steps, iterations] : shares_of_joints())
       all.joints.push_back(
           {.row = Row::tuned, .knobs = {{"iterations", iterations}, {"ERP", erp}}, .steps = steps});
     for (const auto& [steps, iterations] : shares_of_contacts())
-      all.contacts.push_back({.row = Row::tuned,
-                              .knobs = {{"iterations", iterations}, {"layer", 0.001}, {"ERP", erp}},
-                              .steps = steps});
+      for (const double cfm : {1e-10, 1e-5})
+        all.contacts.push_back(
+            {.row = Row::tuned,
+             .knobs = {{"iterations", iterations}, {"layer", 0.001}, {"ERP", erp}, {"CFM", cfm}},
+             .steps = steps});
   }
   return all;
 }
 
 Settings ode_direct_settings() {
-  Settings all{.joints = {{}, {.row = Row::advised, .steps = 4, .source = step_source}},
-               .contacts = {{}, {.row = Row::advised, .knobs = {{"layer", 0.001}}, .source = layer_source}}};
+  Settings all{.joints = {{}, advised_for_joints}, .contacts = {{}, advised_for_contacts}};
   for (const double erp : {0.2, 0.8}) {
     for (const int steps : joint_steps)
       all.joints.push_back({.row = Row::tuned, .knobs = {{"ERP", erp}}, .steps = steps});
     for (const int steps : contact_steps)
-      all.contacts.push_back({.row = Row::tuned, .knobs = {{"layer", 0.001}, {"ERP", erp}}, .steps = steps});
+      for (const double cfm : {1e-10, 1e-5})
+        all.contacts.push_back(
+            {.row = Row::tuned, .knobs = {{"layer", 0.001}, {"ERP", erp}, {"CFM", cfm}}, .steps = steps});
   }
   return all;
 }
