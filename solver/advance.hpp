@@ -154,9 +154,10 @@ void solve_bounce(Stage<M>& stage) {
   System<M>& system = stage.work.system;
   Bodies<M>& bodies = stage.scene.state();
   if constexpr (M::angular == 3) turn_velocities(stage.work.rotations, true, bodies);
-  const Answer<M> before{system.lambda, bodies.velocity};
+  const std::vector<double> lambda = system.lambda;
+  const std::vector<Velocity<M>> velocity = bodies.velocity;
   stage.solve_rows_again();
-  limit_bounce(stage.scene, stage.h, before, system, bodies);
+  limit_bounce(stage.scene, stage.h, lambda, velocity, system, bodies);
   if constexpr (M::angular == 3) turn_velocities(stage.work.rotations, false, bodies);
 }
 

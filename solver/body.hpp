@@ -152,22 +152,6 @@ bool in_motion(const Bodies<M>& bodies, int body) {
   return moves(bodies.inverse_mass[body]) || !bodies.velocity[body].isZero(0);
 }
 
-/// ½mv² + ½ω·Iω of all bodies that move, at these velocities [J].
-template <class M>
-double kinetic_energy(const Bodies<M>& bodies, const std::vector<Velocity<M>>& velocities) {
-  double energy = 0;
-  for (int i = 0; i < bodies.size(); ++i) {
-    const InverseMass<M>& mass = bodies.inverse_mass[i];
-    if (!moves(mass)) continue;
-    energy += 0.5 * velocities[i].template head<M::linear>().squaredNorm() / mass.linear;
-    if constexpr (M::angular > 0) {
-      const Angular<M> spin = velocities[i].template tail<M::angular>();
-      energy += 0.5 * spin.dot(inertia<M>(mass, bodies.pose[i]) * spin);
-    }
-  }
-  return energy;
-}
-
 /// Whether all of these are finite numbers: 0 x is zero for those, and not a number for the others.
 template <int L, int A>
 bool are_finite(const std::vector<Pose<Model<L, A>>>& pose, const std::vector<Packed<double, L + A>>& velocity) {

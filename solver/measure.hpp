@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/integrate/euler.hpp"
+#include "solver/integrate/kinetic_energy.hpp"
 #include "solver/step.hpp"
 
 // Measured quantities of a scene: plain sums over all bodies that move, or over rows.

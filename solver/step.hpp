@@ -89,9 +89,7 @@ struct Simulation {
   /// λ of a constraint's rows in the last substep. Throws the same.
   std::span<const double> impulse(int constraint) const { return byhand::impulse(scene, work, constraint); }
   /// Who pressed on whom in the last step, where and how hard, and who does so no longer.
-  std::vector<Touch<M>> touches() const requires(M::angular > 0) {
-    return byhand::touches(scene.bodies(), work.contacts);
-  }
+  std::vector<Touch<M>> touches() const requires(M::angular > 0) { return byhand::touches(scene, work.contacts); }
   std::vector<BodyPair> parted() const requires(M::angular > 0) { return byhand::parted(work.contacts); }
 };
 

@@ -154,13 +154,6 @@ struct System {
   }
 };
 
-/// λ, and the velocities that it gives.
-template <class M>
-struct Answer {
-  std::vector<double> lambda;
-  std::vector<Velocity<M>> velocity;
-};
-
 /// Calls f(block, run) for each block of a System in solve order; f is a template over the type of block, or takes
 /// a BlockHeader.
 template <class AnySystem, class F>

@@ -57,11 +57,13 @@ Anchors<M> between(const Bodies<M>& bodies, int body1, const Linear<M>& point1, 
   return anchors;
 }
 
-/// A world axis of any length > 0 as a unit vector in a body's frame. Throws std::invalid_argument for other axes.
+/// A world axis of any length > 0 as a unit vector in a body's frame. Throws std::invalid_argument for other axes
+/// and bodies.
 template <class M>
 Linear<M> axis_in(const Bodies<M>& bodies, int body, const Linear<M>& axis) {
   const double length = axis.norm();
   require(std::isfinite(length) && length > 0, "length of the axis", length, "positive and finite");
+  require_body(bodies, body);
   return rotate(inverse(bodies.pose[body].rotation), Linear<M>(axis / length));
 }
 

@@ -65,9 +65,11 @@ struct Orientation {
   void require_valid() const { byhand::require_valid(Pose<M>{Linear<M>::Zero(), rest}); }
 };
 
-/// The orientation whose rest position is the bodies' current poses.
+/// The orientation whose rest position is the bodies' current poses. Throws std::invalid_argument for other
+/// bodies.
 template <class M>
 Orientation<M> orientation(const Bodies<M>& bodies, int body1, int body2) {
+  for (const int body : {body1, body2}) require_body(bodies, body);
   return {inverse(bodies.pose[body2].rotation) * bodies.pose[body1].rotation};
 }
 

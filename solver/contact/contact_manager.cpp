@@ -56,6 +56,16 @@ void for_each_made_of(const ContactPair<M>& pair, auto&& put) {
 }  // namespace
 
 template <class M>
+bool is_of(const Scene<M>& scene, const ContactPair<M>& pair) {
+  const Colliders<M>& colliders = scene.colliders();
+  const auto has = [&](int body, std::uint64_t stamp) {
+    return scene.bodies().has(body) && colliders.stamps[body] == stamp &&
+           !std::holds_alternative<std::monostate>(colliders.shapes[body]);
+  };
+  return has(pair.bodies.first, pair.stamps[0]) && has(pair.bodies.second, pair.stamps[1]);
+}
+
+template <class M>
 Manifold<M> points_of(const Bodies<M>& bodies, const ContactPair<M>& pair) {
   const auto& [body1, body2] = pair.bodies;
   const Pose<M>&pose1 = bodies.pose[body1], &pose2 = bodies.pose[body2];
@@ -138,8 +148,11 @@ void ContactManager<M>::read_impulses(const System<M>& system) {
 }
 
 template <class M>
-void ContactManager<M>::begin_step() {
-  std::swap(pressed_, pressed_before_);
+void ContactManager<M>::begin_step(const Scene<M>& scene) {
+  pressed_before_.clear();
+  for (const Pair& pair : pairs_)
+    if (std::ranges::binary_search(pressed_, pair.bodies) && is_of(scene, pair))
+      pressed_before_.push_back(pair.bodies);
   pressed_.clear();
 }
 
@@ -286,8 +299,9 @@ void ContactManager<M>::write_constraints(bool same, int before) {
   }
 }
 
-#define BYHAND_INSTANTIATE(M)       \
-  template class ContactManager<M>; \
+#define BYHAND_INSTANTIATE(M)                                  \
+  template class ContactManager<M>;                            \
+  template bool is_of(const Scene<M>&, const ContactPair<M>&); \
   template Manifold<M> points_of(const Bodies<M>&, const ContactPair<M>&)
 BYHAND_FOR_EACH_TURNING_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

@@ -58,6 +58,10 @@ void for_each_row(auto& pair, const std::vector<int>& row_of, auto&& f) {
   }
 }
 
+/// Whether the scene still has both bodies with the shapes that met.
+template <class M>
+bool is_of(const Scene<M>& scene, const ContactPair<M>& pair);
+
 /// Where the points of a pair are at the bodies' present poses.
 template <class M>
 Manifold<M> points_of(const Bodies<M>& bodies, const ContactPair<M>& pair);
@@ -86,8 +90,8 @@ class ContactManager {
   /// tangent of its turn, by more than half of the thinner body's half thickness. It looks again only for bodies
   /// that part from the motion that `find` expected, and not without a lookahead.
   bool foresaw(const Scene<M>& scene, const System<M>& system, double h, double left);
-  /// Begins a step. Those that pressed in the last one become those of the step before.
-  void begin_step();
+  /// Begins a step. Those that pressed in the last one become those of the step before, if they are still there.
+  void begin_step(const Scene<M>& scene);
 
   /// The constraints that were made of the pairs; the friction of a Contact names its place.
   const ConstraintList<M>& constraints() const { return constraints_; }
@@ -136,7 +140,7 @@ class ContactManager<Model<L, 0>> {
   void write_impulses(System<M>&) const {}
   void read_impulses(const System<M>&) {}
   bool foresaw(const Scene<M>&, const System<M>&, double, double) { return true; }
-  void begin_step() {}
+  void begin_step(const Scene<M>&) {}
   const ConstraintList<M>& constraints() const { return none_; }
 
  private:

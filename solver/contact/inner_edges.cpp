@@ -59,10 +59,8 @@ void InnerEdges<M>::drop(const Scene<M>& scene, std::vector<ContactPair<M>>& pai
   supports_.clear();
   for (int i = 0; i < std::ssize(pairs); ++i) {
     const auto [first, second] = pairs[i].bodies;
-    if (!moves(bodies.inverse_mass[first]))
-      supports_.push_back({second, first, i, pairs[i].normal});
-    else if (!moves(bodies.inverse_mass[second]))
-      supports_.push_back({first, second, i, -pairs[i].normal});
+    if (moves(bodies.inverse_mass[second])) supports_.push_back({second, first, i, pairs[i].normal});
+    if (moves(bodies.inverse_mass[first])) supports_.push_back({first, second, i, -pairs[i].normal});
   }
   const auto by_body = [](const Support& a, const Support& b) {
     return std::pair(a.body, a.pair) < std::pair(b.body, b.pair);

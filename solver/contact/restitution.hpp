@@ -95,9 +95,10 @@ bool set_bounce(const std::vector<double>& parting, System<M>& system) {
 }
 //! [bounce]
 
-/// Takes back what a bounce within h [s] has made of energy. `before` are λ and V before it.
+/// Takes back what a bounce within h [s] has made of energy. `lambda` and `velocity` are those before it.
 template <class M>
-void limit_bounce(const Scene<M>& scene, double h, const Answer<M>& before, System<M>& system, Bodies<M>& bodies);
+void limit_bounce(const Scene<M>& scene, double h, const std::vector<double>& lambda,
+                  const std::vector<Velocity<M>>& velocity, System<M>& system, Bodies<M>& bodies);
 
 /// Clears λ of those rows: they part, so that the next step must not start with their impulse.
 template <class M>

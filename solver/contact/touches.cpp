@@ -8,17 +8,16 @@
 namespace byhand {
 
 template <class M>
-std::vector<Touch<M>> touches(const Bodies<M>& bodies,
-                              const ContactManager<M>& contacts) requires(M::angular > 0) {
+std::vector<Touch<M>> touches(const Scene<M>& scene, const ContactManager<M>& contacts) requires(M::angular > 0) {
   std::vector<Touch<M>> result;
   for (const ContactPair<M>& pair : contacts.pairs()) {
     const auto [body1, body2] = pair.bodies;
-    if (!bodies.has(body1) || !bodies.has(body2)) continue;
+    if (!is_of(scene, pair)) continue;
     if (!std::ranges::binary_search(contacts.pressed(), pair.bodies)) continue;
     const auto tangents = tangents_of<M>(pair.normal);
     Touch<M>& touch = result.emplace_back(Touch<M>{body1, body2, pair.normal, Linear<M>::Zero()});
     touch.began = !std::ranges::binary_search(contacts.pressed_before(), pair.bodies);
-    const Manifold<M> manifold = points_of(bodies, pair);
+    const Manifold<M> manifold = points_of(scene.bodies(), pair);
     for (int p = 0; p < pair.size; ++p) {
       const auto& [feature, arms, normal_impulse, tangent_impulse] = pair.points[p];
       const ContactPoint<M>& point = manifold.points[p];
@@ -36,8 +35,8 @@ std::vector<BodyPair> parted(const ContactManager<M>& contacts) requires(M::angu
   return result;
 }
 
-#define BYHAND_INSTANTIATE(M)                                                         \
-  template std::vector<Touch<M>> touches(const Bodies<M>&, const ContactManager<M>&); \
+#define BYHAND_INSTANTIATE(M)                                                        \
+  template std::vector<Touch<M>> touches(const Scene<M>&, const ContactManager<M>&); \
   template std::vector<BodyPair> parted(const ContactManager<M>&)
 BYHAND_FOR_EACH_TURNING_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

@@ -23,7 +23,7 @@ struct Touch {
 /// The pairs that pressed on each other in the last substep of the last step, in ascending order of bodies. A
 /// bounce is over within its step and is not listed.
 template <class M>
-std::vector<Touch<M>> touches(const Bodies<M>& bodies, const ContactManager<M>& contacts) requires(M::angular > 0);
+std::vector<Touch<M>> touches(const Scene<M>& scene, const ContactManager<M>& contacts) requires(M::angular > 0);
 
 /// The pairs that pressed in the step before and do so no longer.
 template <class M>

@@ -46,7 +46,10 @@ template <class M>
 bool limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& bodies, DirectWork<M>& work) {
   if (!is_suspect(system, work)) return false;
   std::vector<double>&correction = work.offset, &change = work.change;
-  for (int k = 0; k < system.rows(); ++k) correction[k] = system.bias[k] - system.target_rate[k];
+  for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
+    const Rows<K> rate = led(bodies, block);
+    for (int k = 0; k < K; ++k) correction[block.row + k] = system.bias[block.row + k] + rate[k];
+  });
   solve_again(correction, work, change);
   const double speeds = asked(system, bodies, correction);
   if (fastest(system, bodies, change, work.velocity_before) <= most_amplified * speeds) return false;

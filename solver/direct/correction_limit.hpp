@@ -3,17 +3,17 @@
 #include "solver/direct/equations.hpp"
 
 // Rows that cannot all be met: a rod between anchors that are too far apart, a triangle of rods that has none.
-// They become dependent, or nearly so, and an exact solve answers the correction c = b - target rate that their
-// cure asks for with speeds that grow without limit, step after step.
+// They become dependent, or nearly so, and an exact solve answers what they ask for, b of their cure and of their
+// target rates and J V of fixed bodies that have a velocity, with speeds that grow without limit, step after step.
 namespace byhand {
 
 /// γ of damped rows, as a share of their diagonal of A.
 constexpr double damping = 0.04;
 
-/// Corrects by damped least squares, (A + 0.04 diag A)λ = -c, if the exact correction would make some body more
-/// than 2.5 times as fast as all rows together ask one by one. Damped, the correction has at most 6.25 times the
-/// energy that the rows would need one by one, whatever the units. `system.lambda` is the last `solve_equations`'
-/// and not yet applied; returns whether it was changed. What else the rows do stays exact.
+/// Answers what they ask for, c, by damped least squares, (A + 0.04 diag A)λ = -c, if the exact answer would make
+/// some body more than 2.5 times as fast as all rows together ask one by one. Damped, it has at most 6.25 times
+/// the energy that the rows would need one by one, whatever the units. `system.lambda` is the last
+/// `solve_equations`' and not yet applied; returns whether it was changed. What else the rows do stays exact.
 ///
 /// Source: Y. Nakamura, H. Hanafusa, Inverse Kinematic Solutions With Singularity Robustness, J. Dyn. Sys., Meas.,
 /// Control 108 (1986).
@@ -30,6 +30,15 @@ double speed(const Bodies<M>& bodies, int body, const Velocity<M>& V) {
     if (w.squaredNorm() > 0) squares += inverse.linear * w.dot(inertia(inverse, bodies.pose[body]) * w);
   }
   return std::sqrt(squares);
+}
+
+/// J of the bodies of a block that do not move, times their velocities.
+template <class M, int K, Bound B>
+Rows<K> led(const Bodies<M>& bodies, const Block<M, K, B>& block) {
+  const auto of_fixed = [&](int body, bool moves) {
+    return moves ? Velocity<M>(Velocity<M>::Zero()) : bodies.velocity[body];
+  };
+  return dot(block.J, of_fixed(block.body1, block.moves1), of_fixed(block.body2, block.moves2));
 }
 
 /// How fast row k of a block asks for by itself, by `rate` [1/s of its C]: the point that it holds, or a body that

@@ -23,15 +23,6 @@ double extent(const Bodies<M>& bodies) {
   return (most - least).norm();
 }
 
-/// J of the bodies of a block that do not move, times their velocities.
-template <class M, int K, Bound B>
-Rows<K> led(const Bodies<M>& bodies, const Block<M, K, B>& block) {
-  const auto of_fixed = [&](int body, bool moves) {
-    return moves ? Velocity<M>(Velocity<M>::Zero()) : bodies.velocity[body];
-  };
-  return dot(block.J, of_fixed(block.body1, block.moves1), of_fixed(block.body2, block.moves2));
-}
-
 }  // namespace
 
 template <class M>

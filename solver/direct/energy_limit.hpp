@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/integrate/kinetic_energy.hpp"
 #include "solver/system.hpp"
 
 // Rows with bounds that cannot all be met: bars that are pinned to each other and wedge. As in
@@ -15,6 +16,13 @@ namespace byhand {
 
 /// Energies that differ by no more than this share are the same.
 constexpr double rounding = 1e-9;
+
+/// λ, and the velocities that it gives.
+template <class M>
+struct Answer {
+  std::vector<double> lambda;
+  std::vector<Velocity<M>> velocity;
+};
 
 /// What target rates, and fixed bodies that have a velocity, give to the bodies by λ [J].
 template <class M>

@@ -156,7 +156,7 @@ template <class M>
 Solution solve_bounded(const ByGraph& choices, System<M>& system, Bodies<M>& bodies, ByGraphWork<M>& work,
                        Begin begin) {
   work.without = bodies.velocity;
-  if (begin != Begin::step) take_away(system, system.lambda, work.without);
+  if (begin != Begin::step) apply_all(system, system.lambda, work.without, -1);
   const auto solve = [&](Begin from) {
     return work.loopless ? choices.loopless.solve(system, bodies, work.direct, from)
                          : solve_bounded_loops(choices, system, bodies, work, from);

@@ -4,31 +4,14 @@
 
 namespace byhand {
 
-namespace {
-
-/// V += `sign` M⁻¹Jᵀλ.
-template <int sign, class M>
-void apply_signed(const System<M>& system, const std::vector<double>& lambda,
-                  std::vector<Velocity<M>>& velocities) {
+template <class M>
+void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities,
+               double sign) {
   double* V = numbers<M>(velocities);
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    for (const auto& block : blocks) {
-      const Rows<K> change = sign * Eigen::Map<const Rows<K>>(&lambda[block.row]);
-      apply<M, K>(block, change, V);
-    }
+    for (const auto& block : blocks)
+      apply<M, K>(block, Rows<K>(sign * Eigen::Map<const Rows<K>>(&lambda[block.row])), V);
   });
-}
-
-}  // namespace
-
-template <class M>
-void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities) {
-  apply_signed<1>(system, lambda, velocities);
-}
-
-template <class M>
-void take_away(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities) {
-  apply_signed<-1>(system, lambda, velocities);
 }
 
 template <class M>
@@ -68,14 +51,13 @@ void hold_within_bounds(const System<M>& system, std::vector<double>& lambda) {
   });
 }
 
-#define BYHAND_INSTANTIATE(M)                                                                            \
-  template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&);      \
-  template void take_away(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&);      \
-  template void rates_of(const System<M>&, const std::vector<Velocity<M>>&, std::vector<double>&);       \
-  template void multiply(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&,        \
-                         std::vector<double>&);                                                          \
-  template void errors_of(const System<M>&, const std::vector<Velocity<M>>&, const std::vector<double>&, \
-                          std::vector<double>&);                                                         \
+#define BYHAND_INSTANTIATE(M)                                                                               \
+  template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&, double); \
+  template void rates_of(const System<M>&, const std::vector<Velocity<M>>&, std::vector<double>&);          \
+  template void multiply(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&,           \
+                         std::vector<double>&);                                                             \
+  template void errors_of(const System<M>&, const std::vector<Velocity<M>>&, const std::vector<double>&,    \
+                          std::vector<double>&);                                                            \
   template void hold_within_bounds(const System<M>&, std::vector<double>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

@@ -41,13 +41,10 @@ void for_each_block_with(const System<M>& system, Storage& storage, F&& f) {
     });
 }
 
-/// V += M⁻¹Jᵀλ.
+/// V += M⁻¹Jᵀλ, or with -1 as the sign V -= M⁻¹Jᵀλ.
 template <class M>
-void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities);
-
-/// V -= M⁻¹Jᵀλ.
-template <class M>
-void take_away(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities);
+void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities,
+               double sign = 1);
 
 /// `rates` = JV.
 template <class M>

@@ -34,7 +34,7 @@ class Attempt {
   Attempt(Scene<M>& scene, Work& work) : scene_(scene), work_(work) {
     work.start.pose = scene.bodies().pose;
     work.start.velocity = scene.bodies().velocity;
-    if constexpr (requires { work.contacts; }) work.contacts.begin_step();
+    if constexpr (requires { work.contacts; }) work.contacts.begin_step(scene);
   }
   Attempt(const Attempt&) = delete;
   ~Attempt() {

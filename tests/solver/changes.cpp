@@ -440,6 +440,10 @@ TEST(Simulation, ForgetsTheContactsOfBodiesThatAreNoMore) {
   EXPECT_GT(position_error(simulation).max, 0);
   simulation.scene.remove_body(1);
   EXPECT_TRUE(simulation.touches().empty());
+  EXPECT_EQ(simulation.scene.add_body({9, 9}, box<M>(1, {1, 1})), 1) << "another body with its index";
+  EXPECT_TRUE(simulation.touches().empty());
+  simulation.step(1.0 / 60);
+  EXPECT_TRUE(simulation.parted().empty());
   simulation.scene = {};
   EXPECT_TRUE(simulation.touches().empty());
   EXPECT_EQ(position_error(simulation).max, 0);

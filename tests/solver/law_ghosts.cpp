@@ -111,6 +111,34 @@ TYPED_TEST(Ghosts, TilesThatLieFlushAreOneFloor) {
     }
 }
 
+// Two heavy bricks that only lie there are a floor as fixed tiles are, a slop of 1 mm above and below.
+TYPED_TEST(Ghosts, FreeBricksThatLieFlushAreOneFloor) {
+  using M = TypeParam;
+  for (const bool is_box : {false, true})
+    for (const double speed : {0.5, 2.0, 10.0})
+      for (int phase = 0; phase < 10; ++phase) {
+        Scene<M> scene;
+        scene.gravity = point<M>(0, -9.81);
+        scene.set_shape(scene.add_body(point<M>(0, 0), fixed<M>()), HalfSpace<M>{point<M>(0, 1)}, {1});
+        for (const double x : {-2.0, 2.0})
+          scene.set_shape(scene.add_body(point<M>(x, 0.25), box<M>(1000, block<M>(4, 0.5).sides)),
+                          block<M>(4, 0.5), {0});
+        const Box<M> crate = block<M>(0.5, 0.5, 0.5);
+        const int body = scene.add_body(point<M>(-0.8 - speed * h * phase / 10, 0.75),
+                                        is_box ? box<M>(1, crate.sides) : ball<M>(1, 0.25), velocity<M>(speed, 0));
+        if (is_box)
+          scene.set_shape(body, crate, {0});
+        else
+          scene.set_shape(body, Ball<M>{0.25}, {0});
+        Simulation simulation{std::move(scene)};
+        run(simulation, 1.6 / speed, h);
+        const Velocity<M>& V = simulation.scene.bodies().velocity[body];
+        EXPECT_NEAR(V[0], speed, 1e-3 * speed) << is_box << ' ' << phase;
+        EXPECT_NEAR(simulation.scene.bodies().pose[body].position.y(), 0.75, 2.2e-3)
+            << is_box << ' ' << speed << ' ' << phase;
+      }
+}
+
 // Beside a seam the ball has the face of one tile below it and the edge of the other, and must keep the former.
 TYPED_TEST(Ghosts, ABallBesideASeamRestsAsOnOneSlab) {
   using M = TypeParam;

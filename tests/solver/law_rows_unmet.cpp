@@ -194,6 +194,42 @@ Seen pressed(double length, double friction) {
   return seen;
 }
 
+/// The largest speed of two pinned bars of 1 m between two fixed bodies 2 m apart, one of which moves away by
+/// `distance` at `speed`.
+template <class M>
+double drawn_taut(double distance, double speed, double h) {
+  Scene<M> scene;
+  Linear<M> sides = Linear<M>::Constant(0.2);
+  sides[0] = 1;
+  const int left = scene.add_body(point<M>(0, 0), fixed<M>()), right = scene.add_body(point<M>(2, 0), fixed<M>()),
+            a = scene.add_body(point<M>(0.5, 0), box<M>(1, sides)),
+            b = scene.add_body(point<M>(1.5, 0), box<M>(1, sides));
+  scene.add(pin<M>(scene.bodies(), left, a, point<M>(0, 0)));
+  scene.add(pin<M>(scene.bodies(), a, b, point<M>(1, 0)));
+  scene.add(pin<M>(scene.bodies(), b, right, point<M>(2, 0)));
+  Simulation<M> simulation{std::move(scene)};
+  double fastest = 0;
+  for (int i = 0; i < static_cast<int>(10 / h); ++i) {
+    const double left_to_go = 2 + distance - simulation.scene.bodies().pose[right].position.x();
+    Velocity<M> V = Velocity<M>::Zero();
+    if (left_to_go > 1e-12) V[0] = std::min(speed, left_to_go / h);
+    simulation.scene.set_velocity(right, V);
+    simulation.step(h);
+    for (const int body : {a, b})
+      fastest = std::max(fastest, simulation.scene.bodies().velocity[body].template head<M::linear>().norm());
+  }
+  return fastest;
+}
+
+// An exact solve of the pins answers .1 m/s with 117 m/s: straight bars can lengthen only by turning.
+TYPED_TEST(RowsAgainstContacts, OfBarsThatAreDrawnTautThrowNothing) {
+  for (const double distance : {0.001, 0.005, 0.02, 0.05, 0.2})
+    for (const double speed : {0.01, 0.1, 0.5, 2.0})
+      EXPECT_LE(drawn_taut<TypeParam>(distance, speed, 1.0 / 60), 2 + speed)
+          << distance << " m at " << speed << " m/s";
+  for (const double h : {1.0 / 240, 1.0 / 1000}) EXPECT_LE(drawn_taut<TypeParam>(0.05, 0.1, h), 2) << h;
+}
+
 TYPED_TEST(RowsAgainstContacts, ArePressedNoFasterThanTheyAsk) {
   for (const double length : {3.01, 3.05, 3.2, 4.0})
     for (const double friction : {0.0, 0.6}) {

@@ -68,7 +68,7 @@ TEST(Outcome, OfABlockIsThatItSlidesBackWhereTheSlopeRises) {
       const Problem incline("incline", {{"angle", angle}, {"speed", speed}});
       const Point point = measure(incline, sweeps(), with_beta(0.2, 1, 8));
       EXPECT_EQ(point.outcome, Outcome::good) << point.reason;
-      EXPECT_LT(point[Error::trajectory], 0.03) << speed << " m/s, " << angle;
+      EXPECT_LT(point[Error::trajectory], 0.06) << speed << " m/s, " << angle;
     }
 }
 
