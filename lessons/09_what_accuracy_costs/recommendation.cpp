@@ -180,6 +180,7 @@ std::string in_prose(std::string name) {
 std::string margin_in_words(const byhand::Choice& choice, const Problem& problem, bool limited) {
   const std::string &stress = problem.scene().stress, name = in_prose(stress);
   if (std::isnan(choice.margin)) return "";
+  if (!limited && choice.best.point[Error::drift] <= finest_drift) return "";  // twice of rounding is no limit
   if (std::isinf(choice.margin))
     return say("It still holds at the largest @ that was tried, up to a thousand times the present one.", name);
   const auto& all = problem.scene().parameters;

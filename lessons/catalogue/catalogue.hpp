@@ -54,6 +54,14 @@ enum class Duty {
   keep,   // no joint opens, and nothing sinks in, by more than a tenth of a body; what rests stays in its place
 };
 
+/// What the true motion does to the energy, by the scene's scale and from what it was at first: a run whose own
+/// goes further by more than a tenth moves otherwise.
+struct EnergyOfTruth {
+  double most = INFINITY;  // at any time
+  double last = NAN;       // at the end; NaN where it is not known
+};
+constexpr double energy_astray = 0.1;
+
 /// A scene of the catalogue, or one of somebody's own.
 struct NamedScene {
   std::string name, title;
@@ -64,6 +72,7 @@ struct NamedScene {
   double duration = 5;              // how long its duty, drift, energy and momentum are watched [s]
   Duty duty = Duty::hold;
   bool keeps_energy = true;
+  EnergyOfTruth energy = {};
   bool keeps_spin = false;  // angular momentum about the vertical through the origin
   std::string size = {};    // the parameter that is the length of a body; empty: `body`
   double body = 1;          // that length where it is no parameter [m]

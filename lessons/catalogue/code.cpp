@@ -67,7 +67,7 @@ std::string text_of(const Baumgarte& cure) { return fmt::format("Baumgarte{{{}}}
 std::string text_of(const SplitImpulse& cure) { return fmt::format("SplitImpulse{{{}}}", cure.beta); }
 std::string text_of(const Projection& cure) { return fmt::format("Projection{{{}}}", cure.sweeps); }
 std::string text_of(const SoftConstraints& cure) {
-  return fmt::format("SoftConstraints{{.frequency = {}}}", cure.frequency);
+  return fmt::format("SoftConstraints{{.frequency = {:.12g}}}", cure.frequency);
 }
 
 std::string text_of(const AnyStepping& method) {

@@ -37,12 +37,25 @@ std::vector<Eigen::Vector3d> centres(const AnyScene& scene) {
 /// Holds a run against its duty.
 class Judge {
  public:
-  Judge(const Problem& problem, const AnyScene& scene) : duty_(problem.scene().duty), size_(problem.size()) {
+  Judge(const Problem& problem, const AnyScene& scene)
+      : duty_(problem.scene().duty), size_(problem.size()), last_(problem.scene().duration - 0.5 * frame) {
     if (duty_ == Duty::stand || problem.scene().rests) places_ = centres(scene);
     if (duty_ == Duty::slide) {
       size_ = problem["height"];
       exact_ = problem.scene().exact(problem);
     }
+  }
+
+  /// Whether its energy is another than that of the true motion by now [s], by the scale of energy; then how.
+  bool strayed(const EnergyOfTruth& truth, double gained, double now, Point& point) const {
+    const auto fails = [&](double more, const char* than) {
+      return fail(point, Outcome::strayed,
+                  fmt::format("its energy was {:.2g} of its scale {} than in the true motion at {:.2g} s",
+                              std::abs(more), than, now));
+    };
+    if (gained > truth.most + energy_astray) return fails(gained - truth.most, "more");
+    const double left = gained - truth.last;
+    return now > last_ && std::abs(left) > energy_astray && fails(left, left > 0 ? "more" : "less");
   }
 
   /// Whether it has failed by now; then how.
@@ -74,6 +87,7 @@ class Judge {
 
   Duty duty_;
   double size_;
+  double last_;  // after which its run has come to its end [s]
   std::vector<Eigen::Vector3d> places_;
   std::function<ExactState(double)> exact_;
 };
@@ -101,7 +115,8 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
   scene.use(setting.method);
   const NamedScene& named = problem.scene();
   const double energy = scene.energy(), scale = scene.energy_scale(), spin = scene.angular_momentum().y();
-  const Prices prices = prices_of(scene.row_kind(), *point.family, point.knobs.cure);
+  const Prices prices = prices_of(scene.row_kind(), *point.family, point.knobs.cure),
+               free = prices_of(scene.row_kind(), family_named("direct"), Cure::none);
   const Judge judge(problem, scene);
   const auto at = [&](Error which) -> double& { return point.error[static_cast<int>(which)]; };
   at(Error::drift) = scene.separation();
@@ -116,13 +131,16 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
     point.seconds = static_cast<double>(i) * frame;
     point.row_solves = static_cast<double>(scene.row_solves()) / static_cast<double>(i);
     point.cost = cost_of(scene.effort(), prices) / static_cast<double>(i);
-    const double change = std::abs(scene.energy() - energy) / scale, apart = scene.separation();
+    // Prices are fitted on scenes with rows. What nothing holds costs a method what it costs the direct one.
+    if (scene.rows() == 0)
+      point.cost = std::max(point.cost, cost_of(scene.effort(), free) / static_cast<double>(i));
+    const double gained = (scene.energy() - energy) / scale, change = std::abs(gained), apart = scene.separation();
     if (!scene.finite() || !(change < blown_up)) {
       point.outcome = Outcome::blew_up;
       point.reason = fmt::format("it blew up after {:.2g} s", static_cast<double>(i) * frame);
       return;
     }
-    if (judge.failed(scene, apart, point)) return;
+    if (judge.failed(scene, apart, point) || judge.strayed(named.energy, gained, i * frame, point)) return;
     if (const double cost = bill.a_frame(point.cost * static_cast<double>(i), i); cost > watch.most) {
       point.outcome = Outcome::too_slow;
       point.reason = "it costs more than is allowed here";
@@ -227,26 +245,22 @@ double nanoseconds_a_frame(const Problem& problem, const Setting& setting, doubl
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   constexpr int warm_up = 10;
-  const long frames = std::lround(std::min(5.0, problem.scene().duration) / frame);
+  const long frames = std::lround(problem.scene().duration / frame);
   std::vector<double> times;
   const Clock::time_point begin = Clock::now();
   const double enough = 50 * tick();
   do {
     AnyScene scene = problem.start();
     scene.use(setting.method);
-    for (long i = 0; i < frames;) {
-      const Clock::time_point start = Clock::now();
-      int together = 0;
-      double taken = 0;
-      do {
-        advance_frame(scene, setting);
-        ++together, ++i;
-        taken = since(start);
-      } while (taken < enough && i < frames);
-      if (i > warm_up && taken > 0) times.push_back(taken / together);
-      if (i > 2 * warm_up && since(begin) > seconds) break;
+    Clock::time_point start = Clock::now();
+    long timed = 0, i = 0;
+    for (; i < frames && (i <= 2 * warm_up || since(begin) < 8 * seconds); ++i) {
+      if (i == warm_up) start = Clock::now(), timed = 0;
+      advance_frame(scene, setting);
+      ++timed;
     }
-  } while (since(begin) < seconds || times.empty());
+    if (const double taken = since(start); taken > enough || times.empty()) times.push_back(taken / timed);
+  } while (since(begin) < seconds);
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::nth_element(times.begin(), middle, times.end());
   return 1e9 * *middle;

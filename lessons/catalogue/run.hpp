@@ -40,7 +40,7 @@ enum class Outcome {
   refused,      // the method cannot run this scene
   opened,       // a joint came apart, or a block sank in, by more than a tenth of a body
   fell,         // a box left its place by more than half a box
-  strayed,      // the block was more than half its length from where it should be
+  strayed,      // the block was more than half its length from where it should be, or the energy was another
   blew_up,      // energy beyond a hundred times its scale, or no number
   no_solution,  // a step had none
   too_slow,     // it cost more than was allowed
@@ -98,8 +98,9 @@ struct Watch {
 /// Runs the problem so, from its beginning. Deterministic; throws nothing that a method throws.
 Point measure(const Problem& problem, const Family& family, const Knobs& knobs, const Watch& watch = {});
 
-/// Median wall time of a frame [ns] over at least `seconds` of wall time, once warm; from the scene's beginning,
-/// over and over. Only meaningful while nothing else runs.
+/// Wall time of a frame, the mean of a run as for the cost [ns]: the median of as many runs as begin within
+/// `seconds` of wall time. Of a run that takes more than eight times as long only what that leaves is timed. Only
+/// meaningful while nothing else runs.
 double nanoseconds_a_frame(const Problem& problem, const Setting& setting, double seconds = 0.05);
 
 }  // namespace byhand

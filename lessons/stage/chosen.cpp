@@ -24,19 +24,27 @@ std::string number_of(double value, Error error) {
   return course::say("@@", Value(value, 2), unit_of(error) == "1" ? "" : " " + std::string(unit_of(error)));
 }
 
-std::string asked_for(const std::map<Error, double>& limits) {
+/// "drift", "trajectory after 1 s": what is read at one moment says when.
+std::string when_and_what(Error error, const Request& request) {
+  const bool once = error == Error::trajectory || error == Error::reaction || error == Error::contact;
+  return once ? course::say("@ after @ s", std::string(name_of(error)), Value(request.problem.compared_at(), 2))
+              : std::string(name_of(error));
+}
+
+std::string asked_for(const Request& request) {
   std::string text;
-  for (const auto& [error, limit] : limits)
-    text +=
-        (text.empty() ? "" : " and ") + fmt::format("{} of at most {}", name_of(error), number_of(limit, error));
+  for (const auto& [error, limit] : request.limits)
+    text += (text.empty() ? "" : " and ") +
+            fmt::format("{} of at most {}", when_and_what(error, request), number_of(limit, error));
   return text;
 }
 
-std::string errors_of(const Point& point, const std::map<Error, double>& limits) {
+std::string errors_of(const Point& point, const Request& request) {
   std::string text;
-  for (const auto& [error, limit] : limits)
+  for (const auto& [error, limit] : request.limits)
     if (point.has(error))
-      text += (text.empty() ? "" : ", ") + fmt::format("{} {}", name_of(error), number_of(point[error], error));
+      text += (text.empty() ? "" : ", ") +
+              fmt::format("{} {}", when_and_what(error, request), number_of(point[error], error));
   return text;
 }
 
@@ -54,7 +62,8 @@ std::string warnings_of(const Point& point, const Request& request) {
     const bool length = error == Error::drift || error == Error::trajectory;
     const double bad = length ? 0.1 * request.problem.size() : 0.1;
     if (error != Error::contact && point.has(error) && point[error] > bad && !request.limits.contains(error))
-      text += (text.empty() ? "" : ", ") + fmt::format("{} {}", name_of(error), number_of(point[error], error));
+      text += (text.empty() ? "" : ", ") +
+              fmt::format("{} {}", when_and_what(error, request), number_of(point[error], error));
   }
   return text;
 }
@@ -63,9 +72,10 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
   const std::vector<Answer> answers = answers_of(choice);
   std::vector<std::vector<std::string>> rows;
   for (const Answer& one : answers)
-    rows.push_back({one.asked, one.point.described(), errors_of(one.point, request.limits),
+    rows.push_back({one.asked, one.point.described(), errors_of(one.point, request),
                     course::say("@", Value(one.point.cost, 2))});
-  page.table({"asked for", "method, for 1/60 s", "its errors", "instructions"}, rows);
+  page.table({"asked for", "method, for 1/60 s", "its errors from the file's own start", "instructions, by price"},
+             rows);
   if (const std::string bad = warnings_of(choice.best.point, request); !bad.empty())
     page.text(
         "**Warning:** the cheapest keeps what is asked, but gets other things wrong: @. Limit these in the file's "
@@ -74,7 +84,8 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
   for (const auto& [found, asked] : {std::pair{choice.robust.has_value(), "half of each limit"},
                                      {choice.finer.has_value(), "a tenth of each limit"}})
     if (!found)
-      page.text("No method was found that keeps @, within this search and a hundred times the cost.", asked);
+      page.text("None of the settings that were tried, up to a hundred times the cost, keeps @ from all starts.",
+                asked);
   page.text(
       "Run for @ s from @ starts (the file's own and others whose @ differs by up to a twentieth), the cheapest "
       "kept what is asked in @. @ runs were made.",
@@ -114,6 +125,9 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
 /// What came nearest where no method keeps the request from all beginnings.
 std::string nearest_in_words(const Choice& choice) {
   const Point& best = choice.best.point;
+  if (best.outcome == Outcome::too_slow)
+    return course::say("Nothing that was tried kept it; the last was @, which costs more than this search allows.",
+                       best.described());
   if (best.outcome != Outcome::good || !std::isfinite(choice.best.excess))
     return best.reason.empty() ? "No run did its duty to the end."
                                : fmt::format("The run by {}: {}.", best.described(), best.reason);
@@ -134,7 +148,11 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
   if (request.seconds < 0.99 * file.duration)
     page.text("The scene is large: runs are watched for @ s of its @ s.", Value(request.seconds, 2),
               file.duration);
-  page.text("**You ask:** which is the cheapest method with @?", asked_for(request.limits));
+  if (std::abs(file.step - frame) > 1e-9 * frame)
+    page.text(
+        "The file's step of @ s is not asked about: each method takes what steps it needs in a frame of 1/60 s.",
+        Value(file.step, 3));
+  page.text("**You ask:** which is the cheapest method with @?", asked_for(request));
   const auto chosen_within = [&](double seconds) {
     Search search{.starts = 12, .most = seconds * pace, .all_errors = false};
     search.verification = search.most / 10;
