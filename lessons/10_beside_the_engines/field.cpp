@@ -168,7 +168,7 @@ std::size_t places_before(Party party) {
   return party == Party::webassembly ? members(Party::native).size() - 1 : 0;  // this course is the first of both
 }
 
-/// Who has the smaller error at equal time, with the quickest run that has, who is level within the spread of the
+/// Who has the smaller error at equal time, with the least that is, who is level within the spread of the
 /// times, and of the others who is quicker than all runs of the course.
 std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>& all, Unit unit) {
   using engines::Rank;

@@ -90,14 +90,15 @@ Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>&
     return std::ranges::any_of(
         others, [=](const Point& other) { return other.seconds.least <= time && other.error <= error; });
   };
-  const auto first = [&](const auto& counts) {
+  const auto least = [](const Point& point) { return std::pair(point.error, point.seconds.least); };
+  const auto best = [&](const auto& counts) {
     std::vector<Point> found;
     std::ranges::copy_if(points, std::back_inserter(found), counts);
-    const auto least = std::ranges::min_element(found, {}, seconds);
-    return least == found.end() ? std::nullopt : std::optional(*least);
+    const auto one = std::ranges::min_element(found, {}, least);
+    return one == found.end() ? std::nullopt : std::optional(*one);
   };
   const auto beats = [&](double Seconds::*round) {
-    return first([&, round](const Point& point) {
+    return best([&, round](const Point& point) {
       return !others.empty() &&
              !within(std::max(point.seconds.*round, quickest_other->seconds.least), equal_errors * point.error);
     });
@@ -105,7 +106,7 @@ Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>&
   const std::pair<Rank, std::optional<Point>> ranks[] = {
       {Rank::ahead, beats(&Seconds::most)},
       {Rank::level, beats(&Seconds::least)},
-      {Rank::quicker, first([&](const Point& point) { return !within(point.seconds.most, INFINITY); })}};
+      {Rank::quicker, best([&](const Point& point) { return !within(point.seconds.most, INFINITY); })}};
   for (const auto& [rank, point] : ranks)
     if (point) return {rank, *point};
   return {};

@@ -69,7 +69,7 @@ constexpr double equal_errors = 1.01;
 enum class Rank { behind, quicker, level, ahead };
 struct Beside {
   Rank rank = Rank::behind;
-  Point point = {};  // the quickest such
+  Point point = {};  // the one of them with the least error
 };
 Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>& others);
 
