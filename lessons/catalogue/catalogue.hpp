@@ -58,7 +58,7 @@ enum class Duty {
 /// goes further by more than a tenth moves otherwise.
 struct EnergyOfTruth {
   double most = INFINITY;  // at any time
-  double last = NAN;       // at the end; NaN where it is not known
+  double last = NAN;       // at the end, from the scene's own start; NaN where it is not known
 };
 constexpr double energy_astray = 0.1;
 

@@ -37,8 +37,10 @@ std::vector<Eigen::Vector3d> centres(const AnyScene& scene) {
 /// Holds a run against its duty.
 class Judge {
  public:
-  Judge(const Problem& problem, const AnyScene& scene)
-      : duty_(problem.scene().duty), size_(problem.size()), last_(problem.scene().duration - 0.5 * frame) {
+  Judge(const Problem& problem, const AnyScene& scene) : duty_(problem.scene().duty), size_(problem.size()) {
+    const auto begins_otherwise = [&](const SceneParameter& one) { return problem[one.name] != one.initial; };
+    if (std::ranges::none_of(problem.scene().parameters, begins_otherwise))
+      last_ = problem.scene().duration - 0.5 * frame;
     if (duty_ == Duty::stand || problem.scene().rests) places_ = centres(scene);
     if (duty_ == Duty::slide) {
       size_ = problem["height"];
@@ -87,7 +89,7 @@ class Judge {
 
   Duty duty_;
   double size_;
-  double last_;  // after which its run has come to its end [s]
+  double last_ = INFINITY;  // after which its run has come to its end, of the scene's own start [s]
   std::vector<Eigen::Vector3d> places_;
   std::function<ExactState(double)> exact_;
 };
@@ -116,7 +118,7 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
   const NamedScene& named = problem.scene();
   const double energy = scene.energy(), scale = scene.energy_scale(), spin = scene.angular_momentum().y();
   const Prices prices = prices_of(scene.row_kind(), *point.family, point.knobs.cure),
-               free = prices_of(scene.row_kind(), family_named("direct"), Cure::none);
+               free = prices_of(scene.row_kind(), "free");
   const Judge judge(problem, scene);
   const auto at = [&](Error which) -> double& { return point.error[static_cast<int>(which)]; };
   at(Error::drift) = scene.separation();
@@ -131,7 +133,6 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
     point.seconds = static_cast<double>(i) * frame;
     point.row_solves = static_cast<double>(scene.row_solves()) / static_cast<double>(i);
     point.cost = cost_of(scene.effort(), prices) / static_cast<double>(i);
-    // Prices are fitted on scenes with rows. What nothing holds costs a method what it costs the direct one.
     if (scene.rows() == 0)
       point.cost = std::max(point.cost, cost_of(scene.effort(), free) / static_cast<double>(i));
     const double gained = (scene.energy() - energy) / scale, change = std::abs(gained), apart = scene.separation();
