@@ -17,8 +17,10 @@ struct Part {
 constexpr Part parts[] = {
 #include "lessons/catalogue/prices.inc"
     // Without any row, by the direct method on 1 to 100 bodies: the others' prices are fitted on scenes with rows.
+    {RowKind::balls, "free", {.body = 190, .step = 770}},
     {RowKind::links, "free", {.body = 190, .step = 770}},
     {RowKind::boxes, "free", {.body = 590, .step = 1290}},
+    {RowKind::balls_in_space, "free", {.body = 2210, .step = 420}},
     {RowKind::links_in_space, "free", {.body = 2210, .step = 420}},
     {RowKind::boxes_in_space, "free", {.body = 2700, .step = 950}},
 };
