@@ -50,7 +50,7 @@ Field<M> field_of(const Scene<M>& scene, Kind kind, From from, double most_work,
 
 std::string in_words(double error, Unit unit) {
   if (!std::isfinite(error)) return "failed";
-  if (error < margin) return unit == Unit::metres ? "< 1 µm" : "< 10⁻⁶ rad";
+  if (error <= margin) return unit == Unit::metres ? "< 1 µm" : "< 10⁻⁶ rad";
   return unit == Unit::metres ? say("@ mm", Value(1000 * error, 2)) : say("@ rad", Value(error, 2));
 }
 
