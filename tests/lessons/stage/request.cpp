@@ -83,6 +83,37 @@ TEST(Request, AsksWhatRestsToStayInItsPlace) {
   EXPECT_FALSE(request_of(course_scene("dominoes")).problem.scene().rests);
 }
 
+// On both sides: a pendulum is known to its end, a chain that whips is not.
+TEST(Request, ComparesAtTheEndWhereTheMotionIsKnownSoFar) {
+  SceneFile pendulum = course_scene("pendulum"), chain = course_scene("chain");
+  pendulum.accuracy = chain.accuracy = {{"trajectory", 1e-3}};
+  EXPECT_NEAR(request_of(pendulum).problem.compared_at(), pendulum.duration, 1e-9);
+  EXPECT_NEAR(request_of(chain).problem.compared_at(), 1, 1e-9);
+}
+
+// Over-relaxed, one sweep throws a ball back as fast as it came, without any drift.
+TEST(Chooser, FailsARunWhoseEnergyIsNotThatOfTheTrueMotion) {
+  const Request request = request_of(course_scene("bouncing_ball"));
+  const auto outcome = [&](double relaxation) {
+    return measure(request.problem, family_named("Gauss–Seidel"),
+                   {.passes = 1, .cure = Cure::projection, .strength = 1, .relaxation = relaxation})
+        .outcome;
+  };
+  EXPECT_EQ(outcome(1.5), Outcome::strayed);
+  EXPECT_EQ(outcome(1), Outcome::good);
+}
+
+// What nothing holds costs something all the same, and every method about the same.
+TEST(Chooser, PricesAFreeBody) {
+  const Request request = request_of(course_scene("thrown_book"));
+  for (const char* name : {"AVBD", "RK4", "direct"}) {
+    const Family& family = family_named(name);
+    const double cost = measure(request.problem, family, with_cure({}, family.cures.front())).cost;
+    EXPECT_GT(cost, 2000) << name;
+    EXPECT_LT(cost, 8000) << name;
+  }
+}
+
 TEST(Chooser, KeepsWhatAFileAsksFor) {
   SceneFile file = course_scene("heavy_on_light");
   file.accuracy = {{"drift", 1e-3}};
