@@ -59,7 +59,7 @@ template <class M>
 bool is_of(const Scene<M>& scene, const ContactPair<M>& pair) {
   const Colliders<M>& colliders = scene.colliders();
   const auto has = [&](int body, std::uint64_t stamp) {
-    return scene.bodies().has(body) && colliders.stamps[body] == stamp &&
+    return scene.bodies().has(body) && body < std::ssize(colliders.shapes) && colliders.stamps[body] == stamp &&
            !std::holds_alternative<std::monostate>(colliders.shapes[body]);
   };
   return has(pair.bodies.first, pair.stamps[0]) && has(pair.bodies.second, pair.stamps[1]);

@@ -83,12 +83,12 @@ TEST(Request, AsksWhatRestsToStayInItsPlace) {
   EXPECT_FALSE(request_of(course_scene("dominoes")).problem.scene().rests);
 }
 
-// On both sides: a pendulum is known to its end, a chain that whips is not.
+// On both sides: a pendulum is known to its end, a pile is not.
 TEST(Request, ComparesAtTheEndWhereTheMotionIsKnownSoFar) {
-  SceneFile pendulum = course_scene("pendulum"), chain = course_scene("chain");
-  pendulum.accuracy = chain.accuracy = {{"trajectory", 1e-3}};
+  SceneFile pendulum = course_scene("pendulum"), pile = course_scene("pile");
+  pendulum.accuracy = pile.accuracy = {{"trajectory", 1e-3}};
   EXPECT_NEAR(request_of(pendulum).problem.compared_at(), pendulum.duration, 1e-9);
-  EXPECT_NEAR(request_of(chain).problem.compared_at(), 1, 1e-9);
+  EXPECT_NEAR(request_of(pile).problem.compared_at(), 1, 1e-9);
 }
 
 // Over-relaxed, one sweep throws a ball back as fast as it came, without any drift.
