@@ -61,6 +61,8 @@ std::string warnings_of(const Point& point, const Request& request) {
   for (const Error error : errors) {
     const bool length = error == Error::drift || error == Error::trajectory;
     const double bad = length ? 0.1 * request.problem.size() : 0.1;
+    const bool of_truth = error == Error::trajectory || error == Error::reaction;
+    if (of_truth && !(request.problem.reference().uncertainty < 0.025 * request.problem.size())) continue;
     if (error != Error::contact && point.has(error) && point[error] > bad && !request.limits.contains(error))
       text += (text.empty() ? "" : ", ") +
               fmt::format("{} {}", when_and_what(error, request), number_of(point[error], error));
