@@ -42,7 +42,7 @@ Rows<K> led(const Bodies<M>& bodies, const Block<M, K, B>& block) {
 }
 
 /// How fast row k of a block asks for by itself, by `rate` [1/s of its C]: the point that it holds, or a body that
-/// has to be faster; or, of a row that only turns, what turns with a body, `reach` [m] from it [m/s].
+/// has to be faster; or, of a row that only turns, a body that it turns about a point, `reach` [m] from it [m/s].
 template <class M, int K, Bound B>
 double asked_speed(const Bodies<M>& bodies, const Block<M, K, B>& block, int k, double rate, double reach = 0) {
   const double own = inverse_effective_mass(block.J, block.W, k);
@@ -50,8 +50,10 @@ double asked_speed(const Bodies<M>& bodies, const Block<M, K, B>& block, int k, 
   const auto ask = [&](int body, const auto& J, const auto& W) {
     const Velocity<M> V = std::abs(rate) / own * W.transpose();
     const double arm = J.template head<M::linear>().norm();
-    most = std::max(most, speed(bodies, body, V));
-    most = std::max(most, arm > 0 ? std::abs(rate) / arm : reach * V.template tail<M::angular>().norm());
+    const double own_speed = speed(bodies, body, V);
+    most = std::max(
+        {most, own_speed,
+         arm > 0 ? std::abs(rate) / arm : std::hypot(own_speed, reach * V.template tail<M::angular>().norm())});
   };
   if (own <= 0) return 0;
   if (block.moves1) ask(block.body1, block.J.side1().row(k), block.W.side1().row(k));

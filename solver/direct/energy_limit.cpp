@@ -11,16 +11,28 @@ namespace byhand {
 
 namespace {
 
-/// A distance that no two bodies that move are farther apart [m].
+/// A distance that no body that moves is farther from any point that turns it [m]: no two of them are farther
+/// apart, and no row holds one by a longer arm.
 template <class M>
-double extent(const Bodies<M>& bodies) {
+double reach_of(const System<M>& system, const Bodies<M>& bodies) {
   Linear<M> least = Linear<M>::Constant(std::numeric_limits<double>::infinity()), most = -least;
   for (int body = 0; body < bodies.size(); ++body) {
     if (!moves(bodies.inverse_mass[body])) continue;
     least = least.cwiseMin(bodies.pose[body].position);
     most = most.cwiseMax(bodies.pose[body].position);
   }
-  return (most - least).norm();
+  double arm = 0;
+  for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
+    const auto look = [&](const auto& J) {
+      const double length = J.template head<M::linear>().norm();
+      if (length > 0) arm = std::max(arm, J.template tail<M::angular>().norm() / length);
+    };
+    for (int k = 0; k < K; ++k) {
+      if (block.moves1) look(block.J.side1().row(k));
+      if (block.moves2) look(block.J.side2().row(k));
+    }
+  });
+  return (most - least).norm() + arm;
 }
 
 }  // namespace
@@ -38,7 +50,7 @@ double driven_energy(const System<M>& system, const Bodies<M>& bodies) {
 
 template <class M>
 double pushed_energy(const System<M>& system, const Bodies<M>& bodies, std::vector<double>& still) {
-  const double reach = extent(bodies);
+  const double reach = reach_of(system, bodies);
   double fastest = 0;
   still = system.bias;
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
@@ -59,7 +71,8 @@ double pushed_energy(const System<M>& system, const Bodies<M>& bodies, std::vect
   double mass = 0;
   for (const InverseMass<M>& inverse : bodies.inverse_mass)
     if (moves(inverse)) mass += 1 / inverse.linear;
-  return 0.5 * mass * fastest * fastest;
+  constexpr double swept = 1.01;  // with what sweeps leave
+  return swept * 0.5 * mass * fastest * fastest;
 }
 
 template <class M>

@@ -54,7 +54,7 @@ bool limit_energy(const std::vector<Velocity<M>>& without, bool converged, Syste
   const double before = kinetic_energy(bodies, without), after = kinetic_energy(bodies, bodies.velocity);
   if (after <= (1 + rounding) * before) return false;
   const double made = pushed_energy(system, bodies, bias);
-  if (converged && after <= before + made) return false;
+  if (converged && after <= (1 + rounding) * (before + made)) return false;
   Answer<M> pushed{system.lambda, bodies.velocity};
   begin_anew(without, system, bodies);
   system.bias.swap(bias);

@@ -29,7 +29,7 @@ Demand demand(const System<M>& system, const Bodies<M>& bodies, NewtonWork<M>& w
     for (int row = block.row; row < block.row + K; ++row) {
       const double D = work.scales.D[row], scale = D > 0 ? work.scales.speed[row] / D : 0.0;
       const double asked = scale * std::abs(system.bias[row] - system.target_rate[row]);
-      result.of_all = larger(result.of_all, asked);
+      result.of_all = larger(result.of_all, asked + scale * std::abs(system.target_rate[row]));
       if (B != Bound::none) continue;
       result.of_unbounded = larger(result.of_unbounded, asked);
       result.left_of_unbounded = larger(result.left_of_unbounded, scale * std::abs(work.error[row]));

@@ -194,6 +194,37 @@ Seen pressed(double length, double friction) {
   return seen;
 }
 
+// On the other side of the boundary: a motor can turn a bar that is pinned anywhere, at any strength from rest on,
+// and the whole energy of the turn is its own. `arm` is from the bar's centre to its pin, on a body that stands
+// elsewhere.
+TYPED_TEST(RowsAgainstContacts, DoNotSlowWhatAMotorTurns) {
+  using M = TypeParam;
+  for (const double arm : {0.0, 0.25, 0.5, 2.0})
+    for (const double strength : {20.0, 100.0, 1e4, 1e300}) {
+      Scene<M> scene;
+      scene.gravity.setZero();
+      Linear<M> sides = Linear<M>::Constant(0.1);
+      sides[0] = 1;
+      const int ground = scene.add_body(point<M>(7, 3), fixed<M>()),
+                bar = scene.add_body(point<M>(arm, 0), box<M>(1, sides));
+      if constexpr (M::linear == 2) {
+        scene.add(pin<M>(scene.bodies(), ground, bar, point<M>(0, 0)));
+        scene.add(motor<M>(turn(scene.bodies(), ground, bar), 2, strength));
+      } else {
+        scene.add(hinge<M>(scene.bodies(), ground, bar, point<M>(0, 0), Linear<M>::Unit(2)));
+        scene.add(motor<M>(turn(scene.bodies(), ground, bar, Linear<M>::Unit(2)), 2, strength));
+      }
+      Simulation simulation{std::move(scene)};
+      simulation.step(1.0 / 60);
+      EXPECT_TRUE(simulation.work.solution.converged) << arm << ' ' << strength;
+      // It is up to its speed at once, or after (I + mr²)ω = strength t.
+      const double inertia = 1.01 / 12 + arm * arm;
+      run(simulation, 2 * inertia / strength + 2.0 / 60, 1.0 / 60);
+      EXPECT_NEAR(simulation.scene.bodies().velocity[bar][M::dof - 1], 2, 1e-6) << arm << ' ' << strength;
+      EXPECT_TRUE(simulation.work.solution.converged) << arm << ' ' << strength;
+    }
+}
+
 /// The largest speed of two pinned bars of 1 m between two fixed bodies 2 m apart, one of which moves away by
 /// `distance` at `speed`.
 template <class M>
