@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "solver/constraints/hinge.hpp"
+#include "solver/constraints/motor.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"
 
