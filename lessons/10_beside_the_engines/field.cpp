@@ -269,28 +269,28 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
     std::vector<std::string> below{"this course"};
     below.insert(below.end(), level.begin(), level.end());
     const Quantity ours("ours", own), theirs("the least of theirs", least);
-    std::vector<course::Judgement> sentences;
+    course::Judgement sentence;
     if (!ahead.empty() && std::isfinite(own))
-      sentences.push_back({.when = Quantity("the largest of theirs", worst_ahead) < ours,
-                           .say = say("@ this course has more error than @.", name, listed(ahead))});
+      sentence = {.when = Quantity("the largest of theirs", worst_ahead) < ours,
+                  .say = say("@ this course has more error than @.", name, listed(ahead))};
     else if (!ahead.empty())
-      sentences.push_back({.when = Quantity("the largest of theirs", worst_ahead) < INFINITY,
-                           .say = say("@ this course fails, and @.", name,
-                                      ahead.size() == 1 ? ahead[0] + " does not" : listed(ahead) + " do not")});
+      sentence = {.when = Quantity("the largest of theirs", worst_ahead) < INFINITY,
+                  .say = say("@ this course fails, and @.", name,
+                             ahead.size() == 1 ? ahead[0] + " does not" : listed(ahead) + " do not")};
     else if (!std::isfinite(own))
-      sentences.push_back({.when = theirs >= INFINITY, .say = say("@ all fail.", name)});
+      sentence = {.when = theirs >= INFINITY, .say = say("@ all fail.", name)};
     else if (level.empty())
-      sentences.push_back({.when = theirs > ours, .say = say("@ this course has the least error.", name)});
+      sentence = {.when = theirs > ours, .say = say("@ this course has the least error.", name)};
     else if (own <= margin)
-      sentences.push_back({.when = Quantity("the largest", std::max(own, worst_level)) <= margin,
-                           .say = say("@ @ are @ @, where this comparison ends.", name, listed(below),
-                                      below.size() == 2 ? "both" : "all",
-                                      unit == Unit::metres ? "below 1 µm" : "below 10⁻⁶ rad")});
+      sentence = {
+          .when = Quantity("the largest", std::max(own, worst_level)) <= margin,
+          .say = say("@ @ are @ @, where this comparison ends.", name, listed(below),
+                     below.size() == 2 ? "both" : "all", unit == Unit::metres ? "below 1 µm" : "below 10⁻⁶ rad")};
     else
-      sentences.push_back({.when = Quantity("the largest of those level", worst_level) <=
-                                   Quantity("1.01 × ours", engines::equal_errors * own),
-                           .say = say("@ this course has the least error, level with @.", name, listed(level))});
-    words += say("@@", words.empty() ? "" : " ", page.verdict(sentences));
+      sentence = {.when = Quantity("the largest of those level", worst_level) <=
+                          Quantity("1.01 × ours", engines::equal_errors * own),
+                  .say = say("@ this course has the least error, level with @.", name, listed(level))};
+    words += say("@@", words.empty() ? "" : " ", page.verdict({sentence}));
   }
   return words;
 }

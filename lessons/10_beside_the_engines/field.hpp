@@ -147,6 +147,15 @@ struct Timed {
   engines::Start<M> start = {};
 };
 
+/// From the engine's own rest, with a kick of the top by `speed` [m/s].
+template <class M>
+engines::Start<M> kicked_at_rest(double speed) {
+  return {settling, [=](Scene<M>& seen) {
+            if (speed > 0) kick(seen, speed);
+            return speed > 0;
+          }};
+}
+
 /// Microseconds a frame against the error, one curve an entrant: of its settings those that no other of its own
 /// beats in both. Its title names who is ahead of the course somewhere. `label` is the error's, without its unit.
 template <class M>

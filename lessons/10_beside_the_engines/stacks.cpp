@@ -41,15 +41,6 @@ bool falls(const Scene<M>& seen) {
   return false;
 }
 
-/// From the engine's own rest, with a kick of the top by `speed` [m/s].
-template <class M>
-engines::Start<M> kicked_at_rest(double speed) {
-  return {settling, [=](Scene<M>& seen) {
-            if (speed > 0) kick(seen, speed);
-            return speed > 0;
-          }};
-}
-
 template <class M>
 Standing stand(const Contestant<M>& contestant, const Scene<M>& scene, double speed) {
   Standing result;

@@ -19,11 +19,11 @@ template <class M>
 Wall end_of(const Contestant<M>& contestant, const Scene<M>& scene, double speed) {
   Wall result;
   Scene<M> rest = scene;
-  const engines::Start<M> start{settling, [&](Scene<M>& seen) {
-                                  rest.state() = seen.bodies();
-                                  if (speed > 0) kick(seen, speed);
-                                  return speed > 0;
-                                }};
+  engines::Start<M> start = kicked_at_rest<M>(speed);
+  start.begin = [&, kick_it = start.begin](Scene<M>& seen) {
+    rest.state() = seen.bodies();
+    return kick_it(seen);
+  };
   engines::run_from<M>(start, contestant, scene, wall_frames, [&](const Scene<M>& seen, double time) {
     if (time < (wall_frames - 0.5) * frame) return;
     for (int i = 0; i < scene.bodies().size(); ++i) {

@@ -21,8 +21,7 @@ double screening(const Problem& problem) {
 /// Whether what is known of the true motion is needed, which may take longer to find out than all runs.
 bool asks_for_reference(const std::map<Error, double>& limits) {
   return std::any_of(limits.begin(), limits.end(), [](const auto& one) {
-    return one.first == Error::trajectory || one.first == Error::reaction || one.first == Error::contact ||
-           one.first == Error::algebraic;
+    return needs_truth(one.first) || one.first == Error::contact || one.first == Error::algebraic;
   });
 }
 

@@ -132,9 +132,9 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
     advance_frame(scene, setting);
     point.seconds = static_cast<double>(i) * frame;
     point.row_solves = static_cast<double>(scene.row_solves()) / static_cast<double>(i);
-    point.cost = cost_of(scene.effort(), prices) / static_cast<double>(i);
-    if (scene.rows() == 0)
-      point.cost = std::max(point.cost, cost_of(scene.effort(), free) / static_cast<double>(i));
+    const Effort effort = scene.effort();
+    point.cost = cost_of(effort, prices) / static_cast<double>(i);
+    if (scene.rows() == 0) point.cost = std::max(point.cost, cost_of(effort, free) / static_cast<double>(i));
     const double gained = (scene.energy() - energy) / scale, change = std::abs(gained), apart = scene.separation();
     if (!scene.finite() || !(change < blown_up)) {
       point.outcome = Outcome::blew_up;

@@ -33,6 +33,8 @@ std::string_view unit_of(Error error);
 Error error_named(std::string_view name);
 /// Whether the scene has that error: a block that slides has no energy to keep.
 bool has(const NamedScene& scene, Error error);
+/// Whether it is the difference from the true motion, so that this has to be known.
+constexpr bool needs_truth(Error error) { return error == Error::trajectory || error == Error::reaction; }
 
 /// How a run ends. Only of one that is good an error counts.
 enum class Outcome {

@@ -26,7 +26,7 @@ std::string number_of(double value, Error error) {
 
 /// "drift", "trajectory after 1 s": what is read at one moment says when.
 std::string when_and_what(Error error, const Request& request) {
-  const bool once = error == Error::trajectory || error == Error::reaction || error == Error::contact;
+  const bool once = needs_truth(error) || error == Error::contact;
   return once ? course::say("@ after @ s", std::string(name_of(error)), Value(request.problem.compared_at(), 2))
               : std::string(name_of(error));
 }
@@ -61,8 +61,8 @@ std::string warnings_of(const Point& point, const Request& request) {
   for (const Error error : errors) {
     const bool length = error == Error::drift || error == Error::trajectory;
     const double bad = length ? 0.1 * request.problem.size() : 0.1;
-    const bool of_truth = error == Error::trajectory || error == Error::reaction;
-    if (of_truth && !(request.problem.reference().uncertainty < 0.025 * request.problem.size())) continue;
+    if (needs_truth(error) && !(request.problem.reference().uncertainty < 0.025 * request.problem.size()))
+      continue;
     if (error != Error::contact && point.has(error) && point[error] > bad && !request.limits.contains(error))
       text += (text.empty() ? "" : ", ") +
               fmt::format("{} {}", when_and_what(error, request), number_of(point[error], error));

@@ -134,9 +134,8 @@ double closeness(const SceneFile& file) {
   return std::max(1e-7 * smallest_body(file), asked == file.accuracy.end() ? 0.0 : 0.02 * asked->second);
 }
 
-/// Whether any error is read at one moment.
-bool asks_for_a_moment(const SceneFile& file) {
-  return file.accuracy.contains("trajectory") || file.accuracy.contains("reaction");
+bool asks_for_truth(const SceneFile& file) {
+  return std::ranges::any_of(file.accuracy, [](const auto& one) { return needs_truth(error_named(one.first)); });
 }
 
 /// The scene as a problem, of which trajectory and reaction are compared at `time` [s].
@@ -173,7 +172,7 @@ Request request_of(const SceneFile& file) {
   const auto compared_at = [&](double time) { return Problem(scene_of(file, pilot, time)); };
   Request request{.problem = compared_at(pilot.seconds), .limits = {}, .seconds = pilot.seconds};
   // At the end, if the true motion is known until then.
-  if (!asks_for_a_moment(file) || !(request.problem.reference().uncertainty < 5 * closeness(file)))
+  if (!asks_for_truth(file) || !(request.problem.reference().uncertainty < 5 * closeness(file)))
     request.problem = compared_at(std::min(1.0, pilot.seconds));
   const NamedScene& scene = request.problem.scene();
   for (const auto& [name, limit] : file.accuracy) {
@@ -187,7 +186,7 @@ Request request_of(const SceneFile& file) {
     else if (!has(scene, error))
       request.notes.push_back(fmt::format(
           "The file limits the error of {}, but the true motion of this scene does not keep it.", name));
-    else if ((error == Error::trajectory || error == Error::reaction) &&
+    else if (needs_truth(error) &&
              !(request.problem.reference().uncertainty < 0.25 * (error == Error::trajectory ? limit : scene.body)))
       request.notes.push_back(fmt::format(
           "The file limits the error of {}, but after {:.2g} s the true motion is known to {:.2g} m only: a small "
