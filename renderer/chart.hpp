@@ -34,7 +34,8 @@ struct Curve {
   std::string label{};
   std::vector<double> x{}, y{};
   CurveStyle style = CurveStyle::line;
-  std::optional<Colour> colour{};           ///< default: the next of the series; palette::theory for theory
+  std::optional<int> place{};               ///< among the series, with its colour and marker; default: the next
+  std::optional<Colour> colour{};           ///< default: that of its place; palette::theory for theory
   std::vector<std::string> point_labels{};  ///< a text at each point, or none
   std::vector<std::string> point_names{};  ///< names of the points in the CSV file, if they differ from the labels
 };

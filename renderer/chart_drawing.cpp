@@ -69,9 +69,9 @@ Stroke stroke(const Entry& e) {
 bool has_marks(CurveStyle s) { return s != CurveStyle::line && s != CurveStyle::theory && s != CurveStyle::front; }
 // Styles that do not use the colours and markers of the series.
 bool is_outside_series(CurveStyle s) { return s == CurveStyle::theory || s == CurveStyle::front; }
-Colour own_colour(CurveStyle s, int next) {
+Colour own_colour(CurveStyle s, int place) {
   if (s == CurveStyle::theory) return palette::theory;
-  return s == CurveStyle::front ? fade(palette::highlight, 0.4) : palette::series(next);
+  return s == CurveStyle::front ? fade(palette::highlight, 0.4) : palette::series(place);
 }
 
 // The colour of a front is too pale for text.
@@ -211,8 +211,9 @@ void ChartDrawing::list_entries() {
     for (const CellClass& cell : chart_.heat_map->classes)
       entries_.push_back({cell.name, cell.colour, CurveStyle::line, Mark::square, nullptr});
   for (const Curve& curve : chart_.curves) {
-    entries_.push_back({curve.label, curve.colour.value_or(own_colour(curve.style, next)), curve.style,
-                        series_mark(next), &curve});
+    const int place = curve.place.value_or(next);
+    entries_.push_back({curve.label, curve.colour.value_or(own_colour(curve.style, place)), curve.style,
+                        series_mark(place), &curve});
     if (!is_outside_series(curve.style)) ++next;
   }
   direct_.resize(entries_.size());

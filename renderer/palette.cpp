@@ -89,15 +89,23 @@ Colour legible(Colour colour) {
 namespace palette {
 
 Colour series(int i) {
-  static constexpr std::array<Colour, 8> colours{{{0, 114, 178},
-                                                  {213, 94, 0},
-                                                  {0, 140, 102},
-                                                  {176, 72, 134},
-                                                  {118, 157, 43},
-                                                  {92, 76, 245},
-                                                  {38, 41, 48},
-                                                  {112, 68, 57}}};
-  return colours[std::size_t(i % 8 + 8) % 8];
+  static constexpr std::array<Colour, 15> colours{{{0, 114, 178},
+                                                   {213, 94, 0},
+                                                   {0, 140, 102},
+                                                   {176, 72, 134},
+                                                   {118, 157, 43},
+                                                   {92, 76, 245},
+                                                   {38, 41, 48},
+                                                   {112, 68, 57},
+                                                   muted,
+                                                   {0, 139, 160},
+                                                   {122, 74, 160},
+                                                   {150, 90, 30},
+                                                   {190, 60, 70},
+                                                   {60, 120, 60},
+                                                   {40, 70, 130}}};
+  constexpr int count = colours.size();
+  return colours[std::size_t(i % count + count) % count];
 }
 
 Colour sequential(double t) {

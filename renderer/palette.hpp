@@ -41,7 +41,8 @@ inline constexpr Colour error{176, 72, 134};
 inline constexpr Colour theory{88, 92, 100};  ///< always dashed
 inline constexpr Colour highlight{240, 174, 20};
 
-/// Colour of curve `i`, 0, 1, …; repeats after eight. Each has a contrast of 3 on paper, as lines need it.
+/// Colour of curve `i`, 0, 1, …; repeats after fifteen. Each has a contrast of 3 on paper, as lines need it; the
+/// first eight are the easiest to tell apart.
 Colour series(int i);
 
 /// Sequential colour map, pale to dark for t = 0 … 1 (clamped): perceptually uniform, with decreasing lightness.

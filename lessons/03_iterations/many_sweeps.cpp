@@ -106,16 +106,16 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   chart.y.range = {{1e-5, 2}};
   for (std::size_t i = 0; i < orders.size(); ++i) {
     chart.curves.push_back(curve_of(orders[i].name, orders[i].solver, knobs, counts));
-    chart.curves.back().colour = renderer::palette::series(std::array{0, 2, 3}[i]);  // orange is for warm starts
+    chart.curves.back().place = std::array{pictures::place_of("Gauss–Seidel, cold"), 2, 3}[i];
   }
   chart.curves[1].style = renderer::CurveStyle::markers;  // top-down, a sweep later
   std::vector<int> even;                                  // Jacobi's errors alternate
   for (const int count : counts) even.push_back(2 * ((count + 1) / 2));
   even.erase(std::unique(even.begin(), even.end()), even.end());
   chart.curves.push_back(curve_of("Jacobi", Jacobi{.warm_start = false}, knobs, even));
-  chart.curves.back().colour = renderer::palette::series(6);
+  chart.curves.back().place = pictures::place_of("Jacobi");
   renderer::Curve warm = warm_curve(second, knobs, counts);
-  warm.colour = renderer::palette::series(1);
+  warm.place = pictures::place_of("Gauss–Seidel");
   const double cold_first = chart.curves[0].y.front(), warm_first = warm.y.front();
   const bool warm_seen = warm_first > chart.y.range->first;
   if (warm_seen) chart.curves.push_back(std::move(warm));

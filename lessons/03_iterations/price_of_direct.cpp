@@ -72,7 +72,7 @@ void price_of_direct(Page& page, const Knobs& knobs) {
                             .x = {price.row_solves + around * links},
                             .y = {std::max(price.error, lowest)},
                             .style = renderer::CurveStyle::markers,
-                            .colour = renderer::palette::series(4)});  // as in step 7
+                            .place = pictures::place_of("direct")});
   }
   page.figure(
       "price",

@@ -12,6 +12,7 @@ using Pile = Simulation<PlaneBody>;
 struct NamedPile {
   std::string name;
   Pile pile;
+  int place;  // of its method among the colours
 };
 
 /// What a contact of a pile presses with [N], the contact's lower body and its upper one, as the last step left

@@ -80,7 +80,7 @@ Chart over_ratio(const Setting& setting, double limit) {
   const int sweeps = setting.sweeps;
   Curve cold{.label = "cold", .style = CurveStyle::markers},
       warm{.label = "warm", .style = CurveStyle::line_and_markers},
-      direct{.label = "direct", .style = CurveStyle::line_and_markers},
+      direct{.label = "direct", .style = CurveStyle::line_and_markers, .place = pictures::place_of("direct")},
       law{.label = "cold, theory", .style = CurveStyle::theory};
   constexpr double least = 1e-7;
   for (const double ratio : {1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 40.0, 50.0, 70.0, 100.0, 200.0}) {
@@ -111,12 +111,12 @@ void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, double ratio,
     const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 44};
     canvas.look_at_page();
     canvas.text({cells[i].centre().x(), cells[i].top() - 20}, runs[i].name,
-                {.size = 21, .colour = palette::series(static_cast<int>(i)), .bold = true});
+                {.size = 21, .colour = palette::series(runs[i].place), .bold = true});
     canvas.clip(below);
     canvas.look(fit({-0.8, -0.3, 1.6, 2.9}, below, 0));
     pictures::Shapes shapes = pictures::shapes_of(runs[i].pile.scene);
     for (auto& box : shapes.boxes) {
-      box.look = pictures::look_of_run(static_cast<int>(i));
+      box.look = pictures::look_of_run(runs[i].place);
       if (box.body == 1) box.look.fill = mix(palette::paper, box.look.fill, 0.5);  // the light one
       box.look.fill = fade(box.look.fill, 0.75);
     }
@@ -136,9 +136,11 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const double ratio = setting.ratio, beta = setting.beta(), h = setting.h();
   const int sweeps = setting.sweeps;
   std::vector<NamedPile> runs{
-      {say("@ cold", sweeps), pair(GaussSeidel{.sweeps = sweeps, .warm_start = false}, ratio, beta)},
-      {say("@ warm", sweeps), pair(GaussSeidel{.sweeps = sweeps}, ratio, beta)},
-      {"direct", pair(Direct{}, ratio, beta)}};
+      {say("@ cold", sweeps), pair(GaussSeidel{.sweeps = sweeps, .warm_start = false}, ratio, beta),
+       pictures::place_of("Gauss–Seidel, cold")},
+      {say("@ warm", sweeps), pair(GaussSeidel{.sweeps = sweeps}, ratio, beta),
+       pictures::place_of("Gauss–Seidel")},
+      {"direct", pair(Direct{}, ratio, beta), pictures::place_of("direct")}};
   const double q = ratio / (1 + ratio), missing = std::pow(q, sweeps);
 
   page.text(
@@ -163,7 +165,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
                     R"(\frac{r}{1+r} \text{ a sweep})"}});
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "upper box above its place (m)"}};
   for (NamedPile run : runs) {
-    Curve curve{.label = run.name};
+    Curve curve{.label = run.name, .place = run.place};
     while (run.pile.time < pair_seconds) {
       run.pile.step(h);
       curve.x.push_back(run.pile.time);

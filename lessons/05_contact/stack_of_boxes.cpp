@@ -48,8 +48,9 @@ Chart forces(const Setting& setting) {
   Chart chart{.x = {.label = "contact, from the ground up"}, .y = {.label = "load on contact (box weights)"}};
   if (n <= 10)
     for (int i = 1; i <= n; ++i) chart.x.ticks.push_back({static_cast<double>(i), say("@", i)});
-  const auto add = [&](std::string name, const std::vector<double>& forces, CurveStyle style) {
-    Curve curve{.label = std::move(name), .style = style};
+  const auto add = [&](std::string name, const std::vector<double>& forces, CurveStyle style,
+                       std::optional<int> place = {}) {
+    Curve curve{.label = std::move(name), .style = style, .place = place};
     for (std::size_t i = 0; i < forces.size(); ++i) {
       curve.x.push_back(static_cast<double>(i + 1));
       curve.y.push_back(forces[i] / gravity);
@@ -60,7 +61,8 @@ Chart forces(const Setting& setting) {
   add("1 step from zero", forces_after(resting(true), 1, h), CurveStyle::line_and_markers);
   add("4 warm steps", forces_after(resting(true), 4, h), CurveStyle::line_and_markers);
   add("16 warm steps", forces_after(resting(true), 16, h), CurveStyle::line_and_markers);
-  add("direct, 1 step", forces_after(column(n, Direct{}, 0), 1, h), CurveStyle::markers);
+  add("direct, 1 step", forces_after(column(n, Direct{}, 0), 1, h), CurveStyle::markers,
+      pictures::place_of("direct"));
   std::vector<double> weights;
   for (int i = 0; i < n; ++i) weights.push_back(weight_above(n, i));
   add("the weight above", weights, CurveStyle::theory);
@@ -220,7 +222,7 @@ struct End {
 };
 
 End run_to_the_end(const NamedPile& run, double h) {
-  End end{.pile = run.pile, .shift = {.label = run.name}};
+  End end{.pile = run.pile, .shift = {.label = run.name, .place = run.place}};
   while (end.pile.time < patience - 0.5 * h && std::isinf(end.fell)) {
     const bool filmed = end.pile.time < hurry * stack_seconds;
     end.pile.step(h);
@@ -265,7 +267,7 @@ void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const std::ve
     const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 56};
     canvas.look_at_page();
     canvas.text({cells[i].centre().x(), cells[i].top() - 16}, runs[i].name,
-                {.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true});
+                {.size = 20, .colour = palette::series(runs[i].place), .bold = true});
     if (runs[i].pile.time >= fell[i])
       canvas.text({cells[i].centre().x(), cells[i].top() - 40}, say("falls after @ s", Value(fell[i], 3)),
                   {.size = 18, .colour = palette::error, .bold = true});
@@ -273,7 +275,7 @@ void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const std::ve
     canvas.look(fit(seen(runs[i].pile, boxes), below, 0));
     pictures::Shapes shapes = pictures::shapes_of(runs[i].pile.scene);
     for (auto& box : shapes.boxes) {
-      box.look = pictures::look_of_run(static_cast<int>(i));
+      box.look = pictures::look_of_run(runs[i].place);
       box.look.edge.width = 1;
     }
     pictures::draw(canvas, shapes);
@@ -360,9 +362,10 @@ void stack_of_boxes(const Setting& setting, Page& page) {
       R"(Now kick it sideways: @ m/s at the top, less below in proportion to the height. It is down when its
       top box has dropped by half a box.)",
       0.02);
-  std::vector<NamedPile> runs{{several(sweeps, "sweep"), column(n, sweeping(sweeps, true))},
-                              {say("@ sweeps", 2 * sweeps), column(n, sweeping(2 * sweeps, true))},
-                              {"direct", column(n, Direct{})}};
+  std::vector<NamedPile> runs{
+      {several(sweeps, "sweep"), column(n, sweeping(sweeps, true)), pictures::place_of("Gauss–Seidel")},
+      {say("@ sweeps", 2 * sweeps), column(n, sweeping(2 * sweeps, true)), 2},
+      {"direct", column(n, Direct{}), pictures::place_of("direct")}};
   const std::vector<End> ends = page.side_by_side(
       static_cast<int>(runs.size()), [&](int i) { return run_to_the_end(runs[static_cast<std::size_t>(i)], h); });
   const Chart chart = shifts(ends);

@@ -95,7 +95,7 @@ void accuracy_as_the_input(Page& page) {
          .x = method.tolerances,
          .y = method.errors,
          .style = renderer::CurveStyle::line_and_markers,
-         .colour = colour_of(family_named(method.name == rattle.name ? "RATTLE" : "generalised RK4"))});
+         .place = pictures::place_of(method.name == rattle.name ? "RATTLE" : "generalised RK4")});
     const Order fit = method.slope();
     slopes +=
         say("\n- @: tolerance to the power @ ± @. The error @ the tolerance.", method.name, Value(fit.slope, 3),

@@ -165,27 +165,11 @@ double floor_of(const Survey& survey, const std::vector<Spread>& spreads, Error 
   return error == Error::trajectory ? std::max(floor, survey.problem.reference().uncertainty) : floor;
 }
 
-constexpr std::array<std::string_view, 8> bright{"direct", "Gauss–Seidel", "RATTLE", "conjugate sweeps",
-                                                 "RK4",    "XPBD",         "AVBD",   "generalised RK4"};
-
-/// A method's place among the curves, and so its marker, the same in every chart: the bright ones come first.
-std::size_t place_of(const Family& family) {
-  const auto own = std::find(bright.begin(), bright.end(), family.name);
-  if (own != bright.end()) return static_cast<std::size_t>(own - bright.begin());
-  std::size_t place = bright.size();
-  for (const Family& other : families()) {
-    if (&other == &family) break;
-    place += std::find(bright.begin(), bright.end(), other.name) == bright.end();
-  }
-  return place;
-}
-
 Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, Error error, Cost cost) {
   Chart chart{.title = title_of(survey.problem),
               .x = {.label = axis_label(error), .scale = Scale::logarithmic},
               .y = {.label = axis_label(cost), .scale = Scale::logarithmic}};
   const double floor = floor_of(survey, spreads, error);
-  chart.curves.resize(families().size());
   bool named = false;
   for (const Family& family : families()) {
     if (std::any_of(spreads.begin(), spreads.end(), [&](const Spread& s) { return s.family == &family; }))
@@ -198,8 +182,9 @@ Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, E
     chart.curves.push_back(std::move(pale));
   }
   for (const Spread& spread : spreads) {
-    Curve kept{
-        .label = spread.family->name, .style = CurveStyle::line_and_markers, .colour = colour_of(*spread.family)};
+    Curve kept{.label = spread.family->name,
+               .style = CurveStyle::line_and_markers,
+               .place = pictures::place_of(spread.family->name)};
     for (std::size_t i = 0; i < spread.points.size(); ++i) {
       const byhand::Point& point = spread.points[i];
       const double error_kept = quantile(spread.errors[i], kept_share);
@@ -212,7 +197,7 @@ Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, E
       const bool all_one = point.knobs.substeps == 1 && (spread.family->pass.empty() || point.knobs.passes == 1);
       kept.point_labels.push_back(ends && !all_one ? knobs : "");
     }
-    chart.curves[place_of(*spread.family)] = std::move(kept);
+    chart.curves.push_back(std::move(kept));
   }
   const bool at_the_floor = std::any_of(chart.curves.begin(), chart.curves.end(), [=](const Curve& curve) {
     return std::find(curve.x.begin(), curve.x.end(), floor) != curve.x.end();
@@ -264,13 +249,6 @@ std::string caption_of(const Survey& survey, Error error, int starts, bool expla
 }
 
 }  // namespace
-
-renderer::Colour colour_of(const Family& family) {
-  const auto place = static_cast<int>(place_of(family)), brightest = static_cast<int>(bright.size());
-  return place < brightest
-             ? renderer::palette::series(place)
-             : renderer::mix(renderer::palette::series(place - brightest), renderer::palette::muted, 0.55);
-}
 
 std::string title_of(const Problem& problem) {
   std::string title;

@@ -59,7 +59,7 @@ renderer::Chart chart_of(const Scaling& scaling, const std::string& label, const
                             .x = scaling.x,
                             .y = scaling.cost[i],
                             .style = CurveStyle::line_and_markers,
-                            .colour = colour_of(family_named(compared[i]))});
+                            .place = pictures::place_of(compared[i])});
   // Dashed lines end in the direct solve's last point.
   const double last = scaling.of("direct").back();
   for (const double slope : slopes)

@@ -130,7 +130,7 @@ renderer::Chart profiles(const std::vector<Task>& tasks, Cost cost) {
               .y = {.label = "share of all tasks", .range = {{0, 1}}}};
   for (const std::size_t method : drawn) {
     const Profile profile(tasks, method);
-    Curve curve{.label = families()[method].name, .colour = colour_of(families()[method])};
+    Curve curve{.label = families()[method].name, .place = pictures::place_of(families()[method].name)};
     double before = profile(1);
     curve.x = {1}, curve.y = {before};
     for (const double ratio : profile.ratios()) {

@@ -264,7 +264,7 @@ renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
                             .x = {std::max(point[error], floor)},
                             .y = {point.cost},
                             .style = CurveStyle::markers,
-                            .colour = colour_of(*point.family)});
+                            .place = pictures::place_of(point.family->name)});
   };
   add(choice.best.point, choice.best.point.described());
   for (std::size_t i = 0; i < std::min(choice.runners_up.size(), shown); ++i)

@@ -108,9 +108,9 @@ void stable_is_not_accurate(Page& page) {
   page.measure("XPBD, energy left", left, "%");
   const SimplePendulum exact(problem["angle"] * std::numbers::pi / 180, length, problem["gravity"]);
   std::vector<Swing> swings{
-      {"XPBD", colour_of(xpbd), problem, xpbd.setting({})},
-      {"direct, β = 0.2", colour_of(direct), problem, direct.setting(with_cure({}, Cure::baumgarte))},
-      {"RATTLE", colour_of(rattle), problem, rattle.setting({})}};
+      {"XPBD", pictures::colour_of("XPBD"), problem, xpbd.setting({})},
+      {"direct, β = 0.2", pictures::colour_of("direct"), problem, direct.setting(with_cure({}, Cure::baumgarte))},
+      {"RATTLE", pictures::colour_of("RATTLE"), problem, rattle.setting({})}};
   const double start = problem.start().energy();
   page.sequence(
       "stable_and_wrong",

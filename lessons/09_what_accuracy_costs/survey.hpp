@@ -51,9 +51,6 @@ std::string description(const Problem& problem);
 /// The same for a chart, where _ would lower a letter: with spaces.
 std::string title_of(const Problem& problem);
 
-/// The colour of a method, the same in every chart: eight have the bright ones, others dull ones.
-renderer::Colour colour_of(const Family& family);
-
 /// Error against cost on logarithmic axes: at most seven methods, those on the front and the article's own, by the
 /// errors that 95 % of twenty initial conditions keep (fewer where these runs would take long), and the others
 /// pale. Its CSV file has all runs. `explained`: how to read the curves, in the caption.

@@ -64,8 +64,11 @@ void thousand_periods(Page& page) {
       .y = {.label = "largest change of energy, over mgL", .scale = renderer::Scale::logarithmic}};
   std::string said;
   for (const Kept& one : kept) {
-    chart.curves.push_back(
-        {.label = one.name, .x = one.periods, .y = one.change, .style = renderer::CurveStyle::line_and_markers});
+    chart.curves.push_back({.label = one.name,
+                            .x = one.periods,
+                            .y = one.change,
+                            .style = renderer::CurveStyle::line_and_markers,
+                            .place = pictures::place_of(one.name)});
     const bool finite = std::isfinite(one.change.back());
     said += say("\n- @: @, @ after @ periods", one.name, verdict(one),
                 finite ? say("@ of mgL", Value(one.change.back(), 2)) : std::string("beyond ten times mgL"),

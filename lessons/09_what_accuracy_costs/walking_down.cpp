@@ -106,7 +106,7 @@ void walking_down(const Problem& problem, Page& page) {
   const std::array names{"symplectic Euler", "RATTLE"};
   WalkFilm film{.acts = pictures::Acts({}),
                 .methods = {},
-                .colours = {colour_of(*families[0]), colour_of(*families[1])},
+                .colours = {pictures::colour_of("direct"), pictures::colour_of("RATTLE")},
                 .exact = {},
                 .chart = {.x = {.label = "position error (m)", .scale = Scale::logarithmic},
                           .y = {.label = "cost (instructions per frame)", .scale = Scale::logarithmic}},
@@ -115,7 +115,8 @@ void walking_down(const Problem& problem, Page& page) {
   for (long i = 0; i <= std::lround(problem.compared_at() / frame); ++i)
     film.exact.push_back(in_the_plane(exact(static_cast<double>(i) * frame).positions[0]));
   for (std::size_t m = 0; m < families.size(); ++m) {
-    Curve curve{.label = names[m], .style = CurveStyle::line_and_markers, .colour = film.colours[m]};
+    Curve curve{
+        .label = names[m], .style = CurveStyle::line_and_markers, .place = pictures::place_of(families[m]->name)};
     for (int i = 0; i <= halvings; ++i) {
       Knobs knobs{.substeps = 1 << i};
       if (m == 0) knobs.cure = Cure::baumgarte, knobs.strength = 1;

@@ -153,19 +153,11 @@ std::vector<Point> front(std::vector<Point> all) {
   return kept;
 }
 
-/// Of members, each of which keeps its place, and so its colour and marker, in every figure; those in WebAssembly
-/// come after the others. The series' colours, and more.
-Colour colour_of(std::size_t place) {
-  constexpr std::size_t series = 8;
-  constexpr Colour further[] = {palette::muted, {0, 139, 160}, {122, 74, 160}, {150, 90, 30},
-                                {190, 60, 70},  {60, 120, 60}, {40, 70, 130}};
-  return place < series ? palette::series(static_cast<int>(place))
-                        : further[(place - series) % std::size(further)];
-}
-
-/// How many places the members before these take.
-std::size_t places_before(Party party) {
-  return party == Party::webassembly ? members(Party::native).size() - 1 : 0;  // this course is the first of both
+/// The place of a member, and so its colour and marker, in every figure: those in WebAssembly come after the
+/// others, and this course is the first of both.
+int place_of(std::size_t member, Party party) {
+  const std::size_t before = member > 0 && party == Party::webassembly ? members(Party::native).size() - 1 : 0;
+  return static_cast<int>(before + member);
 }
 
 /// Who has the smaller error at equal time, with the least that is, who is level within the spread of the
@@ -205,32 +197,27 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
   Chart chart{.x = {.label = label + (unit == Unit::metres ? " (m)" : " (rad)"), .scale = Scale::logarithmic},
               .y = {.label = "processor time" + where + " (µs a frame)", .scale = Scale::logarithmic}};
   std::vector<std::vector<Point>> points;
-  std::size_t place = 0;
+  std::size_t run = 0;
   for (const Errors& one : errors) {
     points.emplace_back();
     for (const double error : one.by_setting) {
       if (!std::isfinite(error)) continue;
-      points.back().push_back({seconds[place], told(error), contestants[place].words()});
-      ++place;
+      points.back().push_back({seconds[run], told(error), contestants[run].words()});
+      ++run;
     }
   }
-  for (const Engine& member : members(field.party)) {
-    const std::string& name = member.name;
-    // A curve without a name or points keeps the markers of the others.
-    if (chart.curves.size() == 1)
-      chart.curves.resize(1 + places_before(field.party), {.style = CurveStyle::line_and_markers});
-    Curve curve{.label = name, .style = CurveStyle::line_and_markers, .colour = colour_of(chart.curves.size())};
-    const auto own = std::find_if(errors.begin(), errors.end(), [&](const Errors& e) { return e.name == name; });
-    if (own == errors.end()) {
-      curve.label.clear();
-    } else {
-      for (const Point& point : front(points[own - errors.begin()])) {
-        curve.x.push_back(point.error);
-        curve.y.push_back(1e6 * point.seconds.least);
-        curve.point_names.push_back(point.words);
-      }
-      if (curve.x.empty()) curve.label += " (failed)";
+  const std::vector<Engine> all = members(field.party);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto own =
+        std::find_if(errors.begin(), errors.end(), [&](const Errors& e) { return e.name == all[i].name; });
+    if (own == errors.end()) continue;
+    Curve curve{.label = own->name, .style = CurveStyle::line_and_markers, .place = place_of(i, field.party)};
+    for (const Point& point : front(points[own - errors.begin()])) {
+      curve.x.push_back(point.error);
+      curve.y.push_back(1e6 * point.seconds.least);
+      curve.point_names.push_back(point.words);
     }
+    if (curve.x.empty()) curve.label += " (failed)";
     chart.curves.push_back(std::move(curve));
   }
   std::vector<std::pair<std::string, engines::Beside>> beside;

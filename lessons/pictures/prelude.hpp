@@ -14,6 +14,7 @@
 #include "lessons/page/rounding.hpp"
 #include "lessons/pictures/curves.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/methods.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/pictures/runs.hpp"
 #include "lessons/scenes/units.hpp"
