@@ -133,7 +133,7 @@ void compare_by_time(Page& page, const std::string& name, const std::string& cap
     page.clocked(
         name,
         say(R"(@ Of each engine's settings those are drawn that none of its own beats in both, without those
-                     that failed; a time is the least of @ rounds.)",
+                     that failed; its line joins them, whichever knob differs. A time is the least of @ rounds.)",
             caption, rounds),
         chart);
 }
@@ -160,6 +160,12 @@ int place_of(std::size_t member, Party party) {
   return static_cast<int>(before + member);
 }
 
+/// Whose line the title of a chart shall not break.
+std::string unbroken(std::string words) {
+  for (std::size_t at; (at = words.find(' ')) != std::string::npos;) words.replace(at, 1, "\u00a0");
+  return words;
+}
+
 /// Who has the smaller error at equal time, with the least that is, who is level within the spread of the
 /// times, and of the others who is quicker than all runs of the course.
 std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>& all, Unit unit) {
@@ -168,16 +174,17 @@ std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>&
     std::vector<std::string> names;
     for (const auto& [name, beside] : all)
       if (beside.rank == rank)
-        names.push_back(say("@ (@ in @ µs)", name, in_words(beside.point.error, unit),
-                            Value(1e6 * beside.point.seconds.least, 2)));
+        names.push_back(say("@ (@)", name,
+                            unbroken(say("@ in @ µs", in_words(beside.point.error, unit),
+                                         Value(1e6 * beside.point.seconds.least, 2)))));
     return names.empty() ? "" : words + listed(names);
   };
   std::string title;
   for (const std::string& part :
-       {those(Rank::ahead, "smaller error at equal time: "), those(Rank::level, "level at equal time: "),
+       {those(Rank::ahead, "ahead at equal time: "), those(Rank::level, "level at equal time: "),
         those(Rank::quicker, "quicker than any run of this course: ")})
     if (!part.empty()) title += (title.empty() ? "" : "; ") + part;
-  if (title.empty()) return "At equal time, no engine tried here has a smaller error";
+  if (title.empty()) return "At equal time, no engine tried here is ahead of this course";
   title.front() = static_cast<char>(std::toupper(title.front()));
   return title;
 }
@@ -236,7 +243,7 @@ double deepest_overlap(const Scene<M>& scene) {
   return position_error(scene, contacts).max;
 }
 
-std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
+std::string judged(Page& page, const std::vector<Errors>& all, Unit unit, const std::string& what) {
   if (all.size() < 2) return "";
   std::string words;
   const std::pair<const char*, double (Errors::*)() const> rows[] = {
@@ -259,7 +266,7 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
     course::Judgement sentence;
     if (!ahead.empty() && std::isfinite(own))
       sentence = {.when = Quantity("the largest of theirs", worst_ahead) < ours,
-                  .say = say("@ this course has more error than @.", name, listed(ahead))};
+                  .say = say("@ this course has more @ than @.", name, what, listed(ahead))};
     else if (!ahead.empty())
       sentence = {.when = Quantity("the largest of theirs", worst_ahead) < INFINITY,
                   .say = say("@ this course fails, and @.", name,
@@ -267,7 +274,7 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
     else if (!std::isfinite(own))
       sentence = {.when = theirs >= INFINITY, .say = say("@ all fail.", name)};
     else if (level.empty())
-      sentence = {.when = theirs > ours, .say = say("@ this course has the least error.", name)};
+      sentence = {.when = theirs > ours, .say = say("@ this course has the least @.", name, what)};
     else if (own <= margin)
       sentence = {
           .when = Quantity("the largest", std::max(own, worst_level)) <= margin,
@@ -276,7 +283,7 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit) {
     else
       sentence = {.when = Quantity("the largest of those level", worst_level) <=
                           Quantity("1.01 × ours", engines::equal_errors * own),
-                  .say = say("@ this course has the least error, level with @.", name, listed(level))};
+                  .say = say("@ this course has the least @, level with @.", name, what, listed(level))};
     words += say("@@", words.empty() ? "" : " ", page.verdict({sentence}));
   }
   return words;

@@ -66,6 +66,9 @@ enum class Unit { metres, radians };
 std::vector<std::vector<std::string>> left_out(const Setting& setting, Party party);
 inline const std::vector<std::string> head_of_left_out{"left out", "of", "because"};
 
+/// Of two changes the one that is farther from 0.
+inline double farther(double a, double b) { return std::abs(b) <= std::abs(a) ? a : b; }
+
 /// As far as errors are compared.
 inline double told(double error) { return std::max(error, margin); }
 
@@ -171,8 +174,8 @@ void compare_by_time(Page& page, const std::string& name, const std::string& cap
 inline bool alone() { return engines::all_engines().empty(); }
 
 /// Who has less error than the course, by more than a hundredth and the margin: a verdict for each row; "" of the
-/// course alone.
-std::string judged(Page& page, const std::vector<Errors>& all, Unit unit);
+/// course alone. `what` is compared.
+std::string judged(Page& page, const std::vector<Errors>& all, Unit unit, const std::string& what = "error");
 
 /// The overlap of shapes that is deepest [m].
 template <class M>

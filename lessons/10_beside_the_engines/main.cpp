@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
     known.emplace_back("With one engine only, this lesson shows how to measure, not who is better.");
   } else {
     known.emplace_back(
-        "An engine's defaults are chosen for speed: few steps, few iterations, an overlap that is left. Each is a "
+        "An engine's defaults are chosen for speed (few steps, few iterations) and calm (an overlap that is "
+        "left). Each is a "
         "term of its error that you can compute.");
     known.emplace_back(
         "A load on a chain needs a direct solve, coordinates that cannot part, or many short steps; a tall stack "

@@ -13,7 +13,8 @@ using M = PlaneBody;
 constexpr double released = 1, length = 1.5, mass = 2;
 constexpr int pendulum_frames = 300;
 
-/// The largest error of the angle of body 1, seen from the pivot [rad], and the energy gained over the swing's.
+/// The largest error of the angle of body 1, seen from the pivot [rad], and the largest change of the energy, up
+/// or down, over the swing's.
 struct Swung {
   double error = 0, gained = 0;
 };
@@ -25,7 +26,7 @@ Swung swing(const Contestant<M>& contestant, const Scene<M>& scene, const Exact&
   engines::run<M>(contestant, scene, pendulum_frames, [&](const Scene<M>& seen, double time) {
     const Linear<M> at = seen.bodies().pose[1].position;
     swung.error = larger(swung.error, std::abs(std::atan2(at.x(), -at.y()) - exact.angle(time)));
-    swung.gained = (energy(seen) - energy(scene)) / height;
+    swung.gained = farther(swung.gained, (energy(seen) - energy(scene)) / height);
   });
   return swung;
 }
@@ -125,9 +126,7 @@ void pendulums(const Setting&, Page& page) {
   by_scheme(page, rod, exact_rod);
   page.text("The bob on a rod:");
   tell_three<M>(page, with_rods, bobs, Unit::radians);
-  page.text(
-      "Change in energy of the pinned rod, relative to the energy of the swing (positive: the engine adds "
-      "energy):");
+  page.text("The largest change in energy of the pinned rod, up or down, relative to the energy of the swing:");
   std::vector<std::vector<std::string>> rows;
   const auto cell = [](const Swung& swung) {
     return std::isfinite(swung.gained) ? say("@ %", Value(100 * swung.gained, 2)) : std::string("failed");

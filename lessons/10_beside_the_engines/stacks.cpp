@@ -117,14 +117,10 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   const std::string fate_of_theirs =
       theirs == 0
           ? std::string()
-          : say(" " +
-                page.verdict({{.when = Quantity("fallen", fallen) >= 1,
-                               .say = say("Of the @ runs of the engines @ end in a fall.", theirs, fallen)},
-                              {.when = Quantity("fallen", fallen) < 1,
-                               .say = say("Of the @ runs of the engines none ends in a fall.", theirs)}}) +
-                " Box2D puts a resting stack to sleep after half a second and Bullet after two, which in a game "
-                "hides "
-                "a fall; here nothing sleeps.");
+          : " " + page.verdict({{.when = Quantity("fallen", fallen) >= 1,
+                                 .say = say("Of the @ runs of the engines @ end in a fall.", theirs, fallen)},
+                                {.when = Quantity("fallen", fallen) < 1,
+                                 .say = say("Of the @ runs of the engines none ends in a fall.", theirs)}});
   double most = 0;
   for (const Standing& one : ours) most = std::max({most, one.lean, std::abs(one.sag)});
   if (alone() && down == 0) {
@@ -139,10 +135,12 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
       outcomes_of(field, [&](const auto& who) { return stand(who, tries.back().scene, stack_kick); });
   const auto leans = errors_of(outcomes, &Standing::leant);
   if (!alone()) {
-    page.text("How far the kicked stack of 30 leans at most, with all settings of up to @ iterations a frame:",
-              most_of_contacts);
+    page.text(
+        R"(How far the kicked stack of 30 leans at most, with all settings of up to @ iterations a frame. A rigid column
+        would rock on its edge by v²H/3gw = @: what leans less has lost energy.)",
+        most_of_contacts, in_millimetres(stack_kick * stack_kick * tallest / (3 * gravity)));
     page.table(head_of_three_rows, three_rows<M>(field, leans, Unit::metres));
-    page.text("@", judged(page, leans, Unit::metres));
+    page.text("@", judged(page, leans, Unit::metres, "lean"));
   }
   compare_by_time(page, figure,
                   say("The kicked stack of 30: how far its top leans within 10 s, and the mean time of @ frames "
@@ -150,7 +148,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
                       timed_stack_frames),
                   leans, [=, scene = tries.back().scene] {
                     const Timed<M> timed{scene, timed_stack_frames, kicked_at_rest<M>(stack_kick)};
-                    return against_time(field, leans, timed, "leans by");
+                    return against_time(field, leans, timed, "lean");
                   });
   double leant = 0;
   for (const Standing& one : ours) leant = larger(leant, one.leant());

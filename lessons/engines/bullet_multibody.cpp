@@ -153,7 +153,7 @@ void add_bullet_multibody(std::vector<Engine>& all) {
                  .settings = bullet_multibody_settings(),
                  .refusal = [](const Asked& asked) -> std::string {
                    if (asked.rods > 0) return "no rigid distance joint between turning bodies";
-                   return asked.boxes > 0 ? "compared on joints only" : "";
+                   return asked.boxes > 0 ? "compared on joints only: free boxes are Bullet's" : "";
                  },
                  .in_plane = build<PlaneBody>,
                  .in_space = build<SpaceBody>});

@@ -97,16 +97,17 @@ Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>&
     const auto one = std::ranges::min_element(found, {}, least);
     return one == found.end() ? std::nullopt : std::optional(*one);
   };
-  const auto beats = [&](double Seconds::*round) {
-    return best([&, round](const Point& point) {
+  const auto slow = [](const Point& point) { return equal_times * point.seconds.most; };
+  const auto beats = [&](const auto& time) {
+    return best([&](const Point& point) {
       return !others.empty() &&
-             !within(std::max(point.seconds.*round, quickest_other->seconds.least), equal_errors * point.error);
+             !within(std::max(time(point), quickest_other->seconds.least), equal_errors * point.error);
     });
   };
   const std::pair<Rank, std::optional<Point>> ranks[] = {
-      {Rank::ahead, beats(&Seconds::most)},
-      {Rank::level, beats(&Seconds::least)},
-      {Rank::quicker, best([&](const Point& point) { return !within(point.seconds.most, INFINITY); })}};
+      {Rank::ahead, beats(slow)},
+      {Rank::level, beats(seconds)},
+      {Rank::quicker, best([&](const Point& point) { return !within(slow(point), INFINITY); })}};
   for (const auto& [rank, point] : ranks)
     if (point) return {rank, *point};
   return {};

@@ -59,13 +59,14 @@ struct Point {
   std::string words = {};
 };
 
-/// Errors within a hundredth of each other count as equal.
-constexpr double equal_errors = 1.01;
+/// Errors within a hundredth of each other count as equal, and times within a tenth: as much does one differ from
+/// run to run of a program.
+constexpr double equal_errors = 1.01, equal_times = 1.1;
 
 /// One entrant beside another. Two are compared within any time that leaves both a run: ahead if some point of its
-/// own then has a smaller error than each point of the other that might be as fast, its slowest round against the
-/// other's quickest; level if only its quickest round would be ahead. Neither, but quicker, if the other has no
-/// run as fast.
+/// own then has a smaller error than each point of the other that might be as fast, its slowest round and a tenth
+/// against the other's quickest; level if only its quickest round would be ahead. Neither, but quicker, if the
+/// other has no run as fast.
 enum class Rank { behind, quicker, level, ahead };
 struct Beside {
   Rank rank = Rank::behind;

@@ -197,7 +197,7 @@ Build<M> ours() {
 
 std::string no_rods(const Asked& asked) { return asked.rods > 0 ? "compared on pins, not on rods" : ""; }
 std::string no_rods_or_boxes(const Asked& asked) {
-  return asked.boxes > 0 ? "compared on joints only" : no_rods(asked);
+  return asked.boxes > 0 ? "compared on joints only: free boxes are those of PhysX PGS and TGS" : no_rods(asked);
 }
 
 /// Those that are installed, and the names of the others.

@@ -1,6 +1,7 @@
 #include "lessons/engines/settings.hpp"
 
-// Rapier. Knob: iterations (4), numSolverIterations of World, which are substeps.
+// Rapier. Knobs: iterations (4), numSolverIterations of World, which are substeps; contact hertz (30),
+// contact_natural_frequency of its IntegrationParameters.
 namespace byhand::engines {
 
 Settings rapier_settings() {
@@ -9,12 +10,12 @@ Settings rapier_settings() {
       .knobs = {{"iterations", 8}},
       .source = "documentation of IntegrationParameters, example: 8 for a more accurate simulation"};
   Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
-  const auto add = [](std::vector<Setting>& list, const std::vector<Shares>& shares) {
-    for (const auto& [steps, iterations] : shares)
-      list.push_back({.row = Row::tuned, .knobs = {{"iterations", iterations}}, .steps = steps});
-  };
-  add(all.joints, shares_of_joints());
-  add(all.contacts, shares_of_contacts());
+  for (const auto& [steps, iterations] : shares_of_joints())
+    all.joints.push_back({.row = Row::tuned, .knobs = {{"iterations", iterations}}, .steps = steps});
+  for (const double hertz : {30.0, 240.0})
+    for (const auto& [steps, iterations] : shares_of_contacts())
+      all.contacts.push_back(
+          {.row = Row::tuned, .knobs = {{"iterations", iterations}, {"contact hertz", hertz}}, .steps = steps});
   return all;
 }
 

@@ -9,6 +9,7 @@ export async function load(modules) {
   return ({ scene: { gravity, bodies, pins }, knob }) => {
     const world = new rapier.World(point(gravity));
     world.numSolverIterations = knob('iterations', 4);
+    world.integrationParameters.contact_natural_frequency = knob('contact hertz', 30);
     const shapeOf = ({ box, ground }) => {
       if (box) return rapier.ColliderDesc.cuboid(box[0] / 2, box[1] / 2);
       return ground && new rapier.ColliderDesc(new rapier.HalfSpace(point(ground)));
