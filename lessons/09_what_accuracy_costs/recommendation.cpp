@@ -71,10 +71,11 @@ std::string with_article(Error error) {
 }
 
 /// "a drift error of at most 0.001 m and an energy …".
-std::string asked_for(const std::map<Error, double>& limits) {
+std::string asked_for(const std::map<Error, double>& limits, const Problem& problem) {
   std::string text;
   for (const auto& [error, limit] : limits)
-    text += say("@@ error of at most @@", text.empty() ? "" : " and ", with_article(error), limit, unit(error));
+    text += say("@@ error of at most @@@", text.empty() ? "" : " and ", with_article(error), limit, unit(error),
+                needs_truth(error) ? say(" at @ s", Value(problem.compared_at(), 3)) : "");
   return text;
 }
 
@@ -128,10 +129,12 @@ std::string why(const byhand::Choice& choice, const std::map<Error, double>& lim
   std::string text = by_law(choice.limit, choice.best.point);
   if (choice.coarser) {
     const byhand::Point& coarser = *choice.coarser;
-    text += say(". In the run with @: @", several(coarser.knobs.substeps, "substep"),
-                coarser.outcome != Outcome::good ? coarser.reason
-                : limits.empty()                 ? cost_in_words(coarser)
-                                                 : reached_in_words(coarser, limits));
+    text +=
+        say(". In the run with @: @", several(coarser.knobs.substeps, "substep"),
+            coarser.outcome != Outcome::good ? coarser.reason
+            : limits.empty()                 ? cost_in_words(coarser)
+                                             : reached_in_words(coarser, limits) +
+                                   (excess(coarser, limits) <= 1 ? ", but not from all initial conditions" : ""));
   }
   return text;
 }
@@ -186,13 +189,14 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
   const auto& all = problem.scene().parameters;
   const std::string unit =
       std::find_if(all.begin(), all.end(), [&](const SceneParameter& one) { return one.name == stress; })->unit;
-  return say("It stops meeting @ once the @ reaches @@, @.", limited ? "your limits" : "twice this drift", name,
-             Value(choice.margin * problem[stress], 3),
-             unit == "1"   ? ""
-             : unit == "°" ? unit
-                           : " " + unit,
-             choice.margin < 1.1 ? say("@ % above its present value", Value(100 * (choice.margin - 1), 1))
-                                 : say("@ times the present value", Value(choice.margin, 2)));
+  return say(
+      "Of larger values of the @, tried in strides of a fifth, the first at which it no longer meets @ is @@, @.",
+      name, limited ? "your limits" : "twice this drift", Value(choice.margin * problem[stress], 3),
+      unit == "1"   ? ""
+      : unit == "°" ? unit
+                    : " " + unit,
+      choice.margin < 1.1 ? say("@ % above its present value", Value(100 * (choice.margin - 1), 1))
+                          : say("@ times the present value", Value(choice.margin, 2)));
 }
 
 /// "all methods were tried up to 370 000 instructions per frame, …". The others have no time left where the exact
@@ -332,7 +336,7 @@ void recommendation(Page& page, const Setting& setting) {
   page.text(limits.empty()
                 ? say("**You ask:** @. Which method has the least drift@?", in_prose(description(problem)), within)
                 : say("**You ask:** @. Which is the cheapest method with @@?", in_prose(description(problem)),
-                      asked_for(limits), within));
+                      asked_for(limits, problem), within));
 
   Search search;
   search.side_by_side = [&](int count, const std::function<void(int)>& work) {

@@ -280,14 +280,16 @@ int AnyScene::degrees_of_freedom() const {
 
 RowKind AnyScene::row_kind() const {
   return read([]<class M>(const Scene<M>& scene) {
-    const bool pinned = !scene.template all<Pin>().empty(), touching = !scene.colliders().shapes.empty();
+    // Rows with bounds are solved as contacts are.
+    const bool pinned = !scene.template all<Pin>().empty(), bounded = scene.bounded(),
+               touching = !scene.colliders().shapes.empty();
     if (M::linear == 3)
-      return M::angular == 0 ? RowKind::bobs_in_space
-             : touching      ? RowKind::boxes_in_space
-             : pinned        ? RowKind::links_in_space
-                             : RowKind::balls_in_space;
+      return M::angular == 0       ? RowKind::bobs_in_space
+             : touching || bounded ? RowKind::boxes_in_space
+             : pinned              ? RowKind::links_in_space
+                                   : RowKind::balls_in_space;
     if (M::angular == 0) return RowKind::bobs;
-    return pinned ? RowKind::links : touching ? RowKind::boxes : RowKind::balls;
+    return pinned && !bounded ? RowKind::links : touching || bounded ? RowKind::boxes : RowKind::balls;
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -79,6 +80,8 @@ struct NamedScene {
   bool rests = false;       // whether a scene with Duty::keep stands still
   std::string varied = {};  // the parameter that differs between initial conditions
   bool chaotic = false;
+  /// Instructions that the true motion from its own start took, if they count beside the runs; known after it.
+  std::shared_ptr<std::atomic<double>> reference_work = {};
   std::string reference;  // where the exact answer comes from
   std::function<AnyScene(const Problem&)> make;
   std::function<std::function<ExactState(double time)>(const Problem&)> exact;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 namespace byhand {
@@ -194,9 +193,16 @@ void require_valid(const Problem& problem, const Wish& wish) {
   }
 }
 
+/// Instructions of a run at that cost from another start, which has a true motion of its own.
+double work_from_a_start(const Problem& problem, const Wish& wish, double cost) {
+  const auto& reference = problem.scene().reference_work;
+  return cost * problem.scene().duration / frame +
+         (reference && asks_for_reference(wish.limits) ? reference->load() : 0);
+}
+
 /// From how many starts runs of that cost are verified.
 int starts_of(const Problem& problem, const Wish& wish, double cost, const Search& search) {
-  double work = cost * problem.scene().duration / frame;
+  double work = work_from_a_start(problem, wish, cost);
   if (asks_for_reference(wish.limits) && problem.scene().chaotic)
     work =
         std::max(work, search.verification / 160 * limit_of(problem).substeps);  // each has a reference of its own
@@ -280,7 +286,7 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
       choice.at_its_bound = true;
       break;
     }
-    const double run = next->point.cost * problem.scene().duration / frame;
+    const double run = work_from_a_start(problem, wish, next->point.cost);
     // From other starts after each failure: none of those for which it was tuned.
     auto& [left, missed] = attempts[static_cast<std::size_t>(next - found.data())];
     const int seed = 1 + most_attempts - left;
@@ -305,8 +311,10 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
 
 double excess(const Point& point, const std::map<Error, double>& limits) {
   double most = point.outcome == Outcome::good ? 0 : INFINITY;
-  for (const auto& [error, limit] : limits)
-    most = std::max(most, point.has(error) ? point[error] / limit : INFINITY);
+  for (const auto& [error, limit] : limits) {
+    const double unknown = error == Error::trajectory ? point.uncertainty : 0;
+    most = std::max(most, point.has(error) ? (point[error] + unknown) / limit : INFINITY);
+  }
   return most;
 }
 
@@ -482,6 +490,21 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   }
   if (!choice.reached) return choice;
 
+  // Fewer substeps, until they do not keep it from all starts.
+  while (choice.best.point.knobs.substeps > 1) {
+    Knobs fewer = choice.best.point.knobs;
+    fewer.substeps = std::max(1, std::min(fewer.substeps - 1, fewer.substeps * 9 / 10));
+    choice.coarser = whole_run(problem, *choice.best.point.family, fewer, wish, search.all_errors);
+    const double over = excess(*choice.coarser, wish.limits);
+    if (wish.limits.empty() || !(over <= 1) || choice.spent.work > 0.8 * search.most) break;
+    const Verification verification = verify(problem, *choice.coarser, wish, starts, search, 1, true);
+    choice.spent.runs += verification.starts;
+    choice.spent.work += verification.starts * work_from_a_start(problem, wish, choice.coarser->cost);
+    if (!verification.kept()) break;
+    choice.best = {true, *choice.coarser, over};
+    choice.verified = verification;
+  }
+
   if (search.tighter && !wish.limits.empty()) {
     // Of the methods whose search is quick, too: what is exact costs no more for less.
     std::vector<const Family*> able;
@@ -528,11 +551,6 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
     choice.finer = tighter(0.1, 0.95 * search.most);
     if (choice.finer && choice.robust && choice.finer->cost < choice.robust->cost) choice.robust = choice.finer;
   }
-  if (const Knobs& best = choice.best.point.knobs; best.substeps > 1) {
-    Knobs fewer = best;
-    fewer.substeps = std::max(1, std::min(best.substeps - 1, best.substeps * 9 / 10));
-    choice.coarser = whole_run(problem, *choice.best.point.family, fewer, wish);
-  }
   auto limits = wish.limits;
   if (limits.empty()) limits[Error::drift] = 2 * choice.best.point[Error::drift];
   choice.margin = margin(problem, choice.best.point, limits, &choice.spent, search.most / 10);
@@ -565,7 +583,7 @@ double margin(const Problem& problem, const Point& point, const std::map<Error, 
     if (work > most_work) return NAN;
     low = high;
     if (high >= most) return INFINITY;
-    high = std::min(std::numbers::sqrt2 * high, most);
+    high = std::min(1.2 * high, most);
   }
   while (high > 1.05 * low) {
     if (work > most_work) return NAN;

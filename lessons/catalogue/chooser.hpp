@@ -104,7 +104,8 @@ struct Search {
 /// scene has.
 Choice choose(const Problem& problem, const Wish& wish, const Search& search = {});
 
-/// The largest error over its limit; infinite unless the run did its duty and has all these errors.
+/// The largest error over its limit, of a trajectory with what is not known of the true one; infinite unless the
+/// run did its duty and has all these errors.
 double excess(const Point& point, const std::map<Error, double>& limits);
 
 /// Runs a point's choices from other initial conditions, the scene's own first. `until_one_fails` leaves the rest.

@@ -17,6 +17,8 @@ struct Part {
 constexpr Part parts[] = {
 #include "lessons/catalogue/prices.inc"
     // Without any row, by the direct method on 1 to 100 bodies: the others' prices are fitted on scenes with rows.
+    {RowKind::bobs, "free", {.body = 150, .step = 770}},
+    {RowKind::bobs_in_space, "free", {.body = 170, .step = 770}},
     {RowKind::balls, "free", {.body = 190, .step = 770}},
     {RowKind::links, "free", {.body = 190, .step = 770}},
     {RowKind::boxes, "free", {.body = 590, .step = 1290}},

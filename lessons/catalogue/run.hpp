@@ -61,6 +61,7 @@ struct Point {
   double row_solves = NAN;                            // a frame
   double cost = NAN;                                  // a frame, see cost.hpp
   double nanoseconds = NAN;                           // a frame, where it was timed
+  double uncertainty = 0;                             // of the true motion that the trajectory is held against [m]
 
   double operator[](Error which) const { return error[static_cast<int>(which)]; }
   /// Whether it did its duty and has that error.

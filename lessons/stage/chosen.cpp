@@ -85,9 +85,10 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
         bad);
   for (const auto& [found, asked] : {std::pair{choice.robust.has_value(), "half of each limit"},
                                      {choice.finer.has_value(), "a tenth of each limit"}})
-    if (!found)
-      page.text("None of the settings that were tried, up to a hundred times the cost, keeps @ from all starts.",
-                asked);
+    if (!found) page.text("No setting was found that keeps @ from all starts.", asked);
+  if (const auto limit = request.limits.find(Error::trajectory); limit != request.limits.end())
+    page.text("The true motion is known to @ m. That counts as error of the trajectory besides.",
+              Value(choice.best.point.uncertainty, 2));
   page.text(
       "Run for @ s from @ starts (the file's own and others whose @ differs by up to a twentieth), the cheapest "
       "kept what is asked in @. @ runs were made.",
@@ -95,8 +96,9 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
       request.problem.scene().varied == "speed" ? "first speed" : "gravity", choice.verified.within,
       choice.spent.runs);
   if (std::isfinite(choice.margin))
-    page.text("It no longer keeps that if @ is @ times as large.",
-              request.problem.scene().stress == "speed" ? "the first speed" : "gravity", Value(choice.margin, 2));
+    page.text(
+        "Of larger values of @, tried in strides of a fifth, the first at which it fails is @ times as large.",
+        request.problem.scene().stress == "speed" ? "the first speed" : "gravity", Value(choice.margin, 3));
   page.clocked("chosen", "Time for 1/60 s on this machine.", [=] {
     renderer::Chart chart{.y = {.label = "time (µs)"}};
     renderer::Bars bars;
@@ -148,8 +150,10 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
   const Request request = request_of(file);
   for (const std::string& note : request.notes) page.text("@", note);
   if (request.seconds < 0.99 * file.duration)
-    page.text("The scene is large: runs are watched for @ s of its @ s.", Value(request.seconds, 2),
-              file.duration);
+    page.text(request.broke ? "**Warning:** at @ s of the scene's @ s a fine step has no answer, so runs are "
+                              "watched until then. What a method does afterwards is not known."
+                            : "The scene is large: runs are watched for @ s of its @ s.",
+              Value(request.seconds, 2), file.duration);
   if (std::abs(file.step - frame) > 1e-9 * frame)
     page.text(
         "The file's step of @ s is not asked about: each method takes what steps it needs in a frame of 1/60 s.",

@@ -10,8 +10,9 @@
 namespace byhand::stage {
 namespace {
 
-constexpr double pilot_solves = 1e7;      // uses of (17) after which the pilot ends
-constexpr double reference_solves = 6e7;  // after which a reference is not refined further
+constexpr double pilot_solves = 1e7;          // uses of (17) after which the pilot ends
+constexpr double reference_solves = 1e7;      // after which a reference is not refined further
+constexpr double instructions_a_solve = 600;  // with all else that a reference does, about
 
 AnyScene any(const SceneFile& file) {
   return std::visit([](const auto& scene) { return AnyScene(scene); }, file.scene);
@@ -43,6 +44,7 @@ double smallest_body(const SceneFile& file) {
 /// What the true motion does, as far as the chooser asks.
 struct Pilot {
   double seconds = 0;                                          // that it was watched
+  bool broke = false;                                          // whether a step had no answer then
   double energy_change = 0, spin_change = INFINITY, away = 0;  // by the scale of energy, by itself, [m]
   EnergyOfTruth energy = {.most = 0};
 };
@@ -58,7 +60,8 @@ Pilot watch_pilot(const SceneFile& file) {
     try {
       scene.step(frame);
     } catch (const std::runtime_error&) {
-      break;  // a step without an answer: the methods are watched until here
+      pilot.broke = true;  // the methods are watched until here
+      break;
     }
     pilot.seconds = scene.time();
     const double gained = scale > 0 ? (scene.energy() - energy) / scale : 0.0;
@@ -74,34 +77,36 @@ Pilot watch_pilot(const SceneFile& file) {
 }
 
 struct Ended {
-  std::vector<Eigen::Vector3d> positions;
-  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
+  ExactState before, end;  // one frame apart
   double solves = 0;
 };
 Ended run(AnyScene scene, int substeps, double time) {
   scene.use(fine_method(scene, substeps));
   const long frames = std::lround(time / frame);
-  for (long i = 0; i < frames; ++i) scene.step(frame);
-  return {centres(scene), scene.momentum(), static_cast<double>(scene.row_solves())};
+  for (long i = 1; i < frames; ++i) scene.step(frame);
+  const ExactState before{centres(scene), scene.momentum()};
+  scene.step(frame);
+  return {before, {centres(scene), scene.momentum()}, static_cast<double>(scene.row_solves())};
 }
 
-/// Where the scene is at a time: its steps are halved until two runs are as close as this, or cost too much [m].
-ExactState refined(const Problem& problem, double time, double close) {
+/// Where the scene is at a time and a frame before it: its steps are halved until two runs are as close as this,
+/// or cost too much [m]. `solves` are those of all runs.
+Ended refined(const Problem& problem, double time, double close) {
   const AnyScene start = problem.start();
-  ExactState state;
-  state.uncertainty = INFINITY;
   Ended coarse = run(start, 8, time);
-  for (int substeps = 16; substeps <= 1024 && state.uncertainty > close; substeps *= 2) {
-    const Ended fine = run(start, substeps, time);
+  coarse.before.uncertainty = coarse.end.uncertainty = INFINITY;
+  for (int substeps = 16; substeps <= 1024 && coarse.end.uncertainty > close; substeps *= 2) {
+    Ended fine = run(start, substeps, time);
     double apart = 0;
-    for (std::size_t i = 0; i < fine.positions.size(); ++i)
-      apart = std::max(apart, (fine.positions[i] - coarse.positions[i]).norm());
-    state = {fine.positions, fine.momentum, apart};
-    const bool hopeless = substeps >= 32 && apart > 0.5 * problem.size();
-    if (hopeless || 4 * fine.solves > reference_solves) break;
-    coarse = fine;
+    for (std::size_t i = 0; i < fine.end.positions.size(); ++i)
+      apart = std::max(apart, (fine.end.positions[i] - coarse.end.positions[i]).norm());
+    fine.before.uncertainty = fine.end.uncertainty = apart;
+    const bool hopeless = (substeps >= 32 && apart > 0.5 * problem.size()) || 4 * fine.solves > reference_solves;
+    fine.solves += coarse.solves;
+    coarse = std::move(fine);
+    if (hopeless) break;
   }
-  return state;
+  return coarse;
 }
 
 /// The file's scene with its gravity and its velocities times a factor each.
@@ -131,7 +136,7 @@ bool has_weight(const SceneFile& file) {
 /// How close two runs have to be, for what is asked [m].
 double closeness(const SceneFile& file) {
   const auto asked = file.accuracy.find("trajectory");
-  return std::max(1e-7 * smallest_body(file), asked == file.accuracy.end() ? 0.0 : 0.02 * asked->second);
+  return std::max(1e-7 * smallest_body(file), asked == file.accuracy.end() ? 0.0 : 0.01 * asked->second);
 }
 
 bool asks_for_truth(const SceneFile& file) {
@@ -159,8 +164,12 @@ NamedScene scene_of(const SceneFile& file, const Pilot& pilot, double time) {
   scene.keeps_spin = pilot.spin_change < 1e-6;
   scene.reference = "runs whose steps are halved until two agree";
   scene.make = [file](const Problem& problem) { return scaled(file, problem["gravity"], problem["speed"]); };
-  scene.exact = [close = closeness(file)](const Problem& problem) {
-    return [=](double moment) { return refined(problem, moment, close); };
+  scene.reference_work = std::make_shared<std::atomic<double>>(0);
+  scene.exact = [close = closeness(file), work = scene.reference_work](const Problem& problem) {
+    const double at = problem.scene().time;
+    Ended both = refined(problem, at, close);
+    if (*work == 0) *work = both.solves * instructions_a_solve;
+    return [=](double moment) { return moment > at - 0.5 * frame ? both.end : both.before; };
   };
   return scene;
 }
@@ -170,9 +179,10 @@ NamedScene scene_of(const SceneFile& file, const Pilot& pilot, double time) {
 Request request_of(const SceneFile& file) {
   const Pilot pilot = watch_pilot(file);
   const auto compared_at = [&](double time) { return Problem(scene_of(file, pilot, time)); };
-  Request request{.problem = compared_at(pilot.seconds), .limits = {}, .seconds = pilot.seconds};
+  Request request{
+      .problem = compared_at(pilot.seconds), .limits = {}, .seconds = pilot.seconds, .broke = pilot.broke};
   // At the end, if the true motion is known until then.
-  if (!asks_for_truth(file) || !(request.problem.reference().uncertainty < 5 * closeness(file)))
+  if (!asks_for_truth(file) || !(request.problem.reference().uncertainty < 10 * closeness(file)))
     request.problem = compared_at(std::min(1.0, pilot.seconds));
   const NamedScene& scene = request.problem.scene();
   for (const auto& [name, limit] : file.accuracy) {

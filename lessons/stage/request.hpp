@@ -14,6 +14,7 @@ struct Request {
   Problem problem;
   std::map<Error, double> limits;    // in the unit of each error
   double seconds = 0;                // that runs are watched: the file's duration, or less of a large scene [s]
+  bool broke = false;                // whether a fine step has no answer then
   std::vector<std::string> notes{};  // what the file asks for and the chooser cannot tell, a sentence each
 };
 
