@@ -193,16 +193,34 @@ void require_valid(const Problem& problem, const Wish& wish) {
   }
 }
 
-/// Instructions of a run at that cost from another start, which has a true motion of its own.
-double work_from_a_start(const Problem& problem, const Wish& wish, double cost) {
-  const auto& reference = problem.scene().reference_work;
-  return cost * problem.scene().duration / frame +
-         (reference && asks_for_reference(wish.limits) ? reference->load() : 0);
+/// Instructions that the true motion from another start takes.
+double work_of_truth(const Problem& problem, const Wish& wish) {
+  const auto& work = problem.scene().reference_work;
+  return work && asks_for_reference(wish.limits) ? work->load() : 0;
 }
+
+/// Counts the true motions of other starts, each of which is found once.
+class Truths {
+ public:
+  Truths(const Problem& problem, const Wish& wish) : each_(work_of_truth(problem, wish)) {}
+
+  /// Of the first `starts` of a seed, those that are new.
+  double work(int seed, int starts) {
+    int& known = known_[seed];
+    const int more = std::max(0, starts - known);
+    known += more;
+    return more * each_;
+  }
+
+ private:
+  double each_;
+  std::map<int, int> known_;
+};
 
 /// From how many starts runs of that cost are verified.
 int starts_of(const Problem& problem, const Wish& wish, double cost, const Search& search) {
-  double work = work_from_a_start(problem, wish, cost);
+  constexpr double for_truth = 5;  // times as much, as all verifications share them
+  double work = std::max(cost * problem.scene().duration / frame, work_of_truth(problem, wish) / for_truth);
   if (asks_for_reference(wish.limits) && problem.scene().chaotic)
     work =
         std::max(work, search.verification / 160 * limit_of(problem).substeps);  // each has a reference of its own
@@ -273,7 +291,7 @@ Candidate strengthened(const Problem& problem, const Wish& wish, const Candidate
 /// costs: as many as are wanted, and as are paid for until `until` instructions are spent. One that does not is
 /// strengthened, and so takes its place further back. `choice.verified` is that of the first.
 std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::vector<Candidate>& found,
-                                int starts, std::size_t wanted, const Search& search, double until,
+                                int starts, std::size_t wanted, const Search& search, double until, Truths& truths,
                                 Choice& choice) {
   std::vector<Candidate> kept;
   std::vector<Attempts> attempts(found.size());
@@ -286,13 +304,13 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
       choice.at_its_bound = true;
       break;
     }
-    const double run = work_from_a_start(problem, wish, next->point.cost);
+    const double run = next->point.cost * problem.scene().duration / frame;
     // From other starts after each failure: none of those for which it was tuned.
     auto& [left, missed] = attempts[static_cast<std::size_t>(next - found.data())];
     const int seed = 1 + most_attempts - left;
     const Verification verification = verify(problem, next->point, wish, starts, search, seed, true);
     choice.spent.runs += verification.starts;
-    choice.spent.work += verification.starts * run;
+    choice.spent.work += verification.starts * run + truths.work(seed, verification.starts);
     if (verification.kept()) {
       if (kept.empty()) choice.verified = verification;
       kept.push_back(*next);
@@ -369,6 +387,7 @@ Verification verify(const Problem& problem, const Point& point, const Wish& wish
 Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   require_valid(problem, wish);
   if (asks_for_reference(wish.limits)) problem.reference();  // before the threads, which would wait for it
+  Truths truths(problem, wish);
   Choice choice;
   choice.limit = limit_of(problem);
   const auto& all = families();
@@ -434,7 +453,8 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   }
   choice.searched_exactly = std::max(level, choice.searched);
   const int starts = std::isfinite(cheapest_yet) ? starts_of(problem, wish, cheapest_yet, search) : 0;
-  std::vector<Candidate> kept = verified(problem, wish, found, starts, 3, search, 0.7 * search.most, choice);
+  std::vector<Candidate> kept =
+      verified(problem, wish, found, starts, 3, search, 0.7 * search.most, truths, choice);
   // What was left out as too dear beside a candidate that did not keep the wish.
   if (!wish.limits.empty() && starts > 0 && choice.spent.work < 0.7 * search.most &&
       (kept.empty() || kept.front().point.cost > 1.05 * cheapest_yet)) {
@@ -445,7 +465,7 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
     if (choice.spent.work <= search.enough) look(rest, INFINITY, until);
     const Verification of_first = choice.verified;
     const std::vector<Candidate> more =
-        verified(problem, wish, found, starts, 3, search, 0.8 * search.most, choice);
+        verified(problem, wish, found, starts, 3, search, 0.8 * search.most, truths, choice);
     if (!kept.empty() && (more.empty() || !preferred(more.front(), kept.front(), wish)))
       choice.verified = of_first;
     kept.insert(kept.end(), more.begin(), more.end());
@@ -499,7 +519,8 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
     if (wish.limits.empty() || !(over <= 1) || choice.spent.work > 0.8 * search.most) break;
     const Verification verification = verify(problem, *choice.coarser, wish, starts, search, 1, true);
     choice.spent.runs += verification.starts;
-    choice.spent.work += verification.starts * work_from_a_start(problem, wish, choice.coarser->cost);
+    choice.spent.work += verification.starts * choice.coarser->cost * problem.scene().duration / frame +
+                         truths.work(1, verification.starts);
     if (!verification.kept()) break;
     choice.best = {true, *choice.coarser, over};
     choice.verified = verification;
@@ -531,7 +552,7 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
         if (std::any_of(again.begin(), again.end(), [](const Candidate& one) { return one.reached; })) break;
       }
       const Verification of_best = choice.verified;
-      const auto best = verified(problem, tight, again, starts, 1, search, until, choice);
+      const auto best = verified(problem, tight, again, starts, 1, search, until, truths, choice);
       const Verification of_tight = std::exchange(choice.verified, of_best);
       if (best.empty()) return {};
       const Point point = measured_whole(best.front().point);

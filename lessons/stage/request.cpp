@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 #include "lessons/doctor/doctor.hpp"
 
@@ -11,8 +13,8 @@ namespace byhand::stage {
 namespace {
 
 constexpr double pilot_solves = 1e7;          // uses of (17) after which the pilot ends
-constexpr double reference_solves = 1e7;      // after which a reference is not refined further
-constexpr double instructions_a_solve = 600;  // with all else that a reference does, about
+constexpr double reference_solves = 3e6;      // after which a reference is not refined further
+constexpr double instructions_a_solve = 300;  // with all else that a reference does, about
 
 AnyScene any(const SceneFile& file) {
   return std::visit([](const auto& scene) { return AnyScene(scene); }, file.scene);
@@ -109,6 +111,25 @@ Ended refined(const Problem& problem, double time, double close) {
   return coarse;
 }
 
+/// What is known of starts, by their values.
+class Known {
+ public:
+  template <class F>
+  Ended find(const Values& start, F&& computed) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (const auto found = all_.find(start); found != all_.end()) return found->second;
+    }
+    const Ended now = computed();
+    const std::scoped_lock lock(mutex_);
+    return all_.emplace(start, now).first->second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<Values, Ended> all_;
+};
+
 /// The file's scene with its gravity and its velocities times a factor each.
 AnyScene scaled(const SceneFile& file, double gravity, double speed) {
   return std::visit(
@@ -165,9 +186,10 @@ NamedScene scene_of(const SceneFile& file, const Pilot& pilot, double time) {
   scene.reference = "runs whose steps are halved until two agree";
   scene.make = [file](const Problem& problem) { return scaled(file, problem["gravity"], problem["speed"]); };
   scene.reference_work = std::make_shared<std::atomic<double>>(0);
-  scene.exact = [close = closeness(file), work = scene.reference_work](const Problem& problem) {
+  scene.exact = [close = closeness(file), work = scene.reference_work,
+                 known = std::make_shared<Known>()](const Problem& problem) {
     const double at = problem.scene().time;
-    Ended both = refined(problem, at, close);
+    const Ended both = known->find(problem.values(), [&] { return refined(problem, at, close); });
     if (*work == 0) *work = both.solves * instructions_a_solve;
     return [=](double moment) { return moment > at - 0.5 * frame ? both.end : both.before; };
   };
