@@ -191,7 +191,11 @@ NamedScene scene_of(const SceneFile& file, const Pilot& pilot, double time) {
     const double at = problem.scene().time;
     const Ended both = known->find(problem.values(), [&] { return refined(problem, at, close); });
     if (*work == 0) *work = both.solves * instructions_a_solve;
-    return [=](double moment) { return moment > at - 0.5 * frame ? both.end : both.before; };
+    return [=](double moment) {
+      if (std::abs(moment - at) < 0.5 * frame) return both.end;
+      if (std::abs(moment + frame - at) < 0.5 * frame) return both.before;
+      return refined(problem, moment, close).end;
+    };
   };
   return scene;
 }
