@@ -6,6 +6,7 @@
 #include "lessons/catalogue/tuning.hpp"
 #include "lessons/exact/compound_pendulum.hpp"
 #include "lessons/exact/swinging_chain.hpp"
+#include "lessons/pictures/methods.hpp"
 
 // Scenes by name: what they are held against, and that every method runs them or says why not.
 namespace catalogue_test {
@@ -31,6 +32,11 @@ Problem small(const Named& named) {
   if (named.scene == "stack") return Problem("stack", {{"boxes", 3}});
   if (named.scene == "pyramid") return Problem("pyramid", {{"base", 3}});
   return Problem(named.scene, {}, named.model);
+}
+
+TEST(Families, HaveAPlaceAmongTheColoursEach) {
+  for (const Family& family : families())
+    EXPECT_LT(pictures::place_of(family.name), pictures::methods.size()) << family.name;
 }
 
 class EveryScene : public testing::TestWithParam<Named> {};
