@@ -22,8 +22,8 @@ constexpr Part parts[] = {
     {RowKind::balls, "free", {.body = 190, .step = 770}},
     {RowKind::links, "free", {.body = 190, .step = 770}},
     {RowKind::boxes, "free", {.body = 590, .step = 1290}},
-    {RowKind::balls_in_space, "free", {.body = 2210, .step = 420}},
-    {RowKind::links_in_space, "free", {.body = 2210, .step = 420}},
+    {RowKind::balls_in_space, "free", {.body = 2900, .step = 420}},
+    {RowKind::links_in_space, "free", {.body = 2900, .step = 420}},
     {RowKind::boxes_in_space, "free", {.body = 2700, .step = 950}},
 };
 

@@ -34,6 +34,16 @@ Point point(double drift, double cost) {
   return result;
 }
 
+TEST(Excess, CountsWhatIsNotKnownOfTheTrueMotion) {
+  Point point;
+  point.outcome = Outcome::good;
+  point.error[static_cast<int>(Error::trajectory)] = 0.9;
+  point.error[static_cast<int>(Error::drift)] = 0.9;
+  point.uncertainty = 0.2;
+  EXPECT_DOUBLE_EQ(excess(point, {{Error::drift, 1}}), 0.9);
+  EXPECT_DOUBLE_EQ(excess(point, {{Error::trajectory, 1}}), 1.1);
+}
+
 TEST(ParetoFront, HoldsWhatNothingBeatsInBoth) {
   Point failed = point(1e-9, 1);
   failed.outcome = Outcome::fell;

@@ -58,6 +58,29 @@ TEST(Request, KnowsTheTrueMotion) {
   }
 }
 
+// From another first speed a motor gives another energy than from the file's own.
+TEST(Request, LetsAMotorGiveEnergyFromEachStart) {
+  SceneFile file = course_scene("slider_crank");
+  file.accuracy = {{"drift", 1e-3}};
+  const Problem problem = request_of(file).problem;
+  const Knobs knobs{.substeps = 4, .cure = Cure::baumgarte, .strength = 1};
+  for (int i = 0; i < 8; ++i) {
+    const Point run = measure(problem.variation(i), family_named("direct"), knobs);
+    EXPECT_EQ(run.outcome, Outcome::good) << run.reason;
+    EXPECT_LT(run[Error::drift], 1e-3);
+  }
+}
+
+// A projectile costs what moving a body costs, by every method.
+TEST(Request, PricesWhatNothingHolds) {
+  const SceneFile file =
+      read_scene(R"({"model": "plane particles", "gravity": [0, -9.81], "step": 0.0166, "duration": 1,
+      "bodies": [{"mass": 1, "position": [0, 0], "velocity": [3, 8]}]})");
+  const Problem problem = request_of(file).problem;
+  for (const char* name : {"RATTLE", "direct", "Gauss–Seidel"})
+    EXPECT_GT(measure(problem, family_named(name), {}).cost, 500) << name;
+}
+
 TEST(Request, TakesTheFilesAccuracy) {
   SceneFile file = course_scene("pendulum");
   file.accuracy = {{"drift", 1e-3}, {"energy", 0.01}, {"trajectory", 1e-4}};
