@@ -78,6 +78,9 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
                     course::say("@", Value(one.point.cost, 2))});
   page.table({"asked for", "method, for 1/60 s", "its errors from the file's own start", "instructions, by price"},
              rows);
+  const RowKind kind = request.problem.start().row_kind();
+  if (kind == RowKind::boxes || kind == RowKind::boxes_in_space)
+    page.text("Where bodies touch or rows have bounds, a price may be a third off.");
   if (const std::string bad = warnings_of(choice.best.point, request); !bad.empty())
     page.text(
         "**Warning:** the cheapest keeps what is asked, but gets other things wrong: @. Limit these in the file's "
