@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "lessons/scene_file/members.hpp"
 
@@ -25,7 +26,10 @@ class Schema {
   Json properties = Json::object(), required = Json::array();
 
   void put(const std::string& name, const std::string& meaning, Json type, const std::string& unit = "") {
-    properties[name] = described(std::move(type), meaning, unit);
+    Json one = described(std::move(type), meaning, unit);
+    if (properties.contains(name) && properties[name]["description"] != one["description"])
+      throw std::logic_error("two members of one object are called \"" + name + "\" and mean different things");
+    properties[name] = std::move(one);
   }
   Json object() const {
     Json all = {{"type", "object"}, {"properties", properties}};

@@ -34,6 +34,13 @@ double beta_of(const DriftCure& cure) {
       },
       cure);
 }
+bool has_beta(const DriftCure& cure) {
+  return std::visit(
+      [](const auto& c) {
+        return requires { c.beta; };
+      },
+      cure);
+}
 double slop_of(const DriftCure& cure) {
   return std::visit(
       [](const auto& c) {
@@ -123,8 +130,7 @@ std::string Knobs::described() const {
       solver == "avbd")
     words += fmt::format(", {} sweep{}", sweeps_(), sweeps_() == 1 ? "" : "s");
   if (of_rows) words += ", cure of drift: " + cure_();
-  if (of_rows && (cure_() == "baumgarte" || cure_() == "split_impulse"))
-    words += fmt::format(" with β = {:.3g}", beta_());
+  if (of_rows && has_beta(file().method.drift)) words += fmt::format(" with β = {:.3g}", beta_());
   return words +
          fmt::format(", {} substep{} of h = {} s", substeps_(), substeps_() == 1 ? "" : "s", course::typed(h_()));
 }

@@ -10,6 +10,7 @@
 #include "solver/direct/equations.hpp"
 #include "solver/direct/newton_work.hpp"
 #include "tests/solver/allocations.hpp"
+#include "tests/solver/each_cure.hpp"
 #include "tests/solver/solving.hpp"
 
 namespace allocation_test {
@@ -49,8 +50,7 @@ TEST_IN_ALL_MODELS(Allocation, HappensInNoStepAfterTheFirst) {
 }
 
 TEST_IN_ALL_MODELS(Allocation, HappensInNoStepOfAnyCureAfterTheFirst) {
-  for (const DriftCure& cure : {DriftCure(Projection{}), DriftCure(SplitImpulse{}), DriftCure(SoftConstraints{}),
-                                DriftCure(SoftConstraints{.refresh = false})})
+  for (const DriftCure& cure : tests::each_cure())
     for (const AnyRowSolver& solver : {AnyRowSolver(GaussSeidel{}), AnyRowSolver(Direct{})})
       expect_none_after_the_first_step(rod_chain<M>({.links = 10, .angle = 1}), solver, cure);
 }

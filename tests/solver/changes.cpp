@@ -9,6 +9,7 @@
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/rope.hpp"
 #include "solver/constraints/weld.hpp"
+#include "tests/solver/each_cure.hpp"
 #include "tests/solver/solving.hpp"
 
 // Whatever is done to a scene while it runs, its next step is that of a simulation built anew from the same state.
@@ -98,8 +99,7 @@ AnyStepping any_method(Random& random) {
       ByGraph{},
       ConjugateGradients{},
       AcceleratedGradient{.iterations = 20}};
-  const DriftCure cures[] = {NoDriftCure{},  Baumgarte{},       Projection{},
-                             SplitImpulse{}, SoftConstraints{}, SoftConstraints{.refresh = false}};
+  const std::vector<DriftCure> cures = tests::each_cure();
   return {.solver = solvers[random.index(std::size(solvers))],
           .drift = cures[random.index(std::size(cures))],
           .substeps = 1 + random.index(2)};
