@@ -1,5 +1,4 @@
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "lessons/scene_file/members.hpp"
 
@@ -16,6 +15,9 @@ Json described(Json type, const std::string& meaning, const std::string& unit = 
   type["description"] = meaning + (unit.empty() ? "" : " [" + unit + "]");
   return type;
 }
+std::string both(const std::string& meaning, const std::string& other) {
+  return meaning.find(other) == std::string::npos ? meaning + "; or " + other : meaning;
+}
 Json list_of(const Json& each, int count) {
   return {{"type", "array"}, {"items", each}, {"minItems", count}, {"maxItems", count}};
 }
@@ -27,8 +29,9 @@ class Schema {
 
   void put(const std::string& name, const std::string& meaning, Json type, const std::string& unit = "") {
     Json one = described(std::move(type), meaning, unit);
-    if (properties.contains(name) && properties[name]["description"] != one["description"])
-      throw std::logic_error("two members of one object are called \"" + name + "\" and mean different things");
+    // Choices of one object share names: what each means by them is listed.
+    if (const auto known = properties.find(name); known != properties.end())
+      one["description"] = both(known->at("description"), one["description"]);
     properties[name] = std::move(one);
   }
   Json object() const {

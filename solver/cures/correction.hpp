@@ -9,8 +9,7 @@
 // corrects the poses after they have moved, or both. It is a struct of choices: one file of this folder, or of a
 // program that uses the library. The step asks of it, where it has them,
 //
-//   Correction correction(double h) const    the bias of its rows, whose h is the whole substep; that of a Stage
-//                                            may be a part of it, before an impact. Default: none
+//   Correction correction(double h) const    the bias of its rows; h is the whole substep. Default: none
 //   void begin(Stage<M>&) const              once rows and bias are written, before they are solved
 //   void after_move(Stage<M>&) const         once the poses have moved
 //   void require_valid(cure)                 throws std::invalid_argument for a choice outside its range
@@ -37,7 +36,7 @@ inline void require_valid_slop(double slop, double speed_cap) {
   require(speed_cap > 0, "speed cap", speed_cap, "above zero [m/s]");
 }
 
-/// The step of a substep h [s] at which a cure acts.
+/// The step h [s] at which a cure acts: a substep, or a part of one that ends in an impact.
 template <class M>
 struct Stage {
   Scene<M>& scene;
