@@ -71,6 +71,18 @@ TEST(Request, LetsAMotorGiveEnergyFromEachStart) {
   }
 }
 
+// (14) has a C in m²; a rod of 0.3 m that is 1 mm too long is 1 mm too long.
+TEST(AnyScene, MeasuresTheDriftOfRodsInMetres) {
+  for (const char* kind : {"distance", "normalised_distance"}) {
+    const SceneFile file =
+        read_scene(std::string(R"({"model": "plane particles", "gravity": [0, 0], "step": 0.01, "duration": 1,
+        "bodies": [{"fixed": true, "position": [0, 0]}, {"mass": 1, "position": [0.301, 0]}],
+        "constraints": [{"kind": ")") +
+                   kind + R"(", "bodies": [0, 1], "length": 0.3}]})");
+    EXPECT_NEAR(any(file).separation(), 1e-3, 1e-15) << kind;
+  }
+}
+
 // A projectile costs what moving a body costs, by every method.
 TEST(Request, PricesWhatNothingHolds) {
   const SceneFile file =
