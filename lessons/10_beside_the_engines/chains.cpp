@@ -94,8 +94,9 @@ std::string failures(const std::vector<Outcomes<Hung>>& all) {
 }
 
 template <class M>
-void tell_gaps(Page& page, const Field<M>& field, const std::vector<Outcomes<Hung>>& outcomes) {
-  tell_three<M>(page, field, errors_of(outcomes, &Hung::gap), Unit::metres);
+void tell_gaps(Page& page, const Field<M>& field, const std::vector<Outcomes<Hung>>& outcomes,
+               const std::vector<Errors>& gaps) {
+  tell_three<M>(page, field, gaps, Unit::metres);
   if (const std::string how = failures(outcomes); !how.empty()) page.text("@", how);
 }
 
@@ -207,7 +208,7 @@ void chains(const Setting& setting, Page& page) {
        .right = say("mg + 2mg = @ N. In a chain of many links law 7 wants T h²/(m l) below 1; at one step a frame "
                     "the load alone makes it @, and the links add to that.",
                     Value(pull, 3), Value(pull * frame * frame, 2))});
-  tell_gaps(page, field, outcomes);
+  tell_gaps(page, field, outcomes, gaps);
   const Quantity law_7("T h²/(m l) with the links", number_of_law_7(links, end_mass));
   if (std::isfinite(gaps.front().shipped()) && law_7 >= 1)
     page.text(
@@ -309,7 +310,7 @@ void chain_in_space(const Setting& setting, Page& page) {
       alone() ? ""
               : "Here the engines of space meet this course in space; a pale line shows what the smaller model "
                 "saves.");
-  tell_gaps(page, field, outcomes);
+  tell_gaps(page, field, outcomes, gaps);
   page.text("The largest change in energy, as above:");
   page.table(head_of_energies(), energies(outcomes, gaps));
   compare_by_time(
@@ -349,7 +350,7 @@ void chain_in_webassembly_of(const Setting& setting, const std::string& place, P
   });
   const auto gaps = errors_of(outcomes, &Hung::gap), offs = errors_of(outcomes, &Hung::off);
   page.text("The chain of step 3 @, its largest gap:", place);
-  tell_gaps(page, field, outcomes);
+  tell_gaps(page, field, outcomes, gaps);
   page.text("How far its worst link is off after @ s:", Value(exact_frames_of(links) * frame, 2));
   tell_three<M>(page, field, offs, Unit::metres);
   compare_by_time(page, say("webassembly_chain_@", M::linear),

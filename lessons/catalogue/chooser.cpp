@@ -287,6 +287,15 @@ Candidate strengthened(const Problem& problem, const Wish& wish, const Candidate
   return tuned.reached && tuned.point.cost > candidate.point.cost ? tuned : more;
 }
 
+/// A run from each of the first starts of a seed until one fails, and what that takes.
+Verification counted(const Problem& problem, const Point& point, const Wish& wish, int starts,
+                     const Search& search, int seed, Truths& truths, Spent& spent) {
+  const Verification verification = verify(problem, point, wish, starts, search, seed, true);
+  spent += {verification.starts, verification.starts * (point.cost * problem.scene().duration / frame) +
+                                     truths.work(seed, verification.starts)};
+  return verification;
+}
+
 /// Of candidates that reach the wish the cheapest that keep it from all starts over the whole time, by their
 /// costs: as many as are wanted, and as are paid for until `until` instructions are spent. One that does not is
 /// strengthened, and so takes its place further back. `choice.verified` is that of the first.
@@ -304,13 +313,11 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
       choice.at_its_bound = true;
       break;
     }
-    const double run = next->point.cost * problem.scene().duration / frame;
     // From other starts after each failure: none of those for which it was tuned.
     auto& [left, missed] = attempts[static_cast<std::size_t>(next - found.data())];
     const int seed = 1 + most_attempts - left;
-    const Verification verification = verify(problem, next->point, wish, starts, search, seed, true);
-    choice.spent.runs += verification.starts;
-    choice.spent.work += verification.starts * run + truths.work(seed, verification.starts);
+    const Verification verification =
+        counted(problem, next->point, wish, starts, search, seed, truths, choice.spent);
     if (verification.kept()) {
       if (kept.empty()) choice.verified = verification;
       kept.push_back(*next);
@@ -517,10 +524,8 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
     choice.coarser = whole_run(problem, *choice.best.point.family, fewer, wish, search.all_errors);
     const double over = excess(*choice.coarser, wish.limits);
     if (wish.limits.empty() || !(over <= 1) || choice.spent.work > 0.8 * search.most) break;
-    const Verification verification = verify(problem, *choice.coarser, wish, starts, search, 1, true);
-    choice.spent.runs += verification.starts;
-    choice.spent.work += verification.starts * choice.coarser->cost * problem.scene().duration / frame +
-                         truths.work(1, verification.starts);
+    const Verification verification =
+        counted(problem, *choice.coarser, wish, starts, search, 1, truths, choice.spent);
     if (!verification.kept()) break;
     choice.best = {true, *choice.coarser, over};
     choice.verified = verification;
