@@ -30,7 +30,7 @@ void limit_bounce(const Scene<M>& scene, double h, const std::vector<double>& la
   const double falls = still - earlier;  // ma·(x⁺ - x), for x⁺ - x = hV
   const double most = std::max(still, begins + falls + std::max(0.0, driven_energy(system, bodies)));
 
-  Answer<M> bounced{system.lambda, bodies.velocity};
+  Solved<M> bounced{system.lambda, bodies.velocity};
   add_half(1, bounced.velocity);
   if (kinetic_energy(bodies, bounced.velocity) <= (1 + rounding) * most) return;
   system.lambda = lambda;

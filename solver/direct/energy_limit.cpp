@@ -21,18 +21,21 @@ double reach_of(const System<M>& system, const Bodies<M>& bodies) {
     least = least.cwiseMin(bodies.pose[body].position);
     most = most.cwiseMax(bodies.pose[body].position);
   }
-  double arm = 0;
+  double longest = 0;  // squared
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
     const auto look = [&](const auto& J) {
-      const double length = J.template head<M::linear>().norm();
-      if (length > 0) arm = std::max(arm, J.template tail<M::angular>().norm() / length);
+      // The rows of a pin see r along each axis, and together at least all of it.
+      double squares = 0;
+      for (int k = 0; k < K; ++k) {
+        const double length2 = J.row(k).template head<M::linear>().squaredNorm();
+        if (length2 > 0) squares += J.row(k).template tail<M::angular>().squaredNorm() / length2;
+      }
+      longest = std::max(longest, squares);
     };
-    for (int k = 0; k < K; ++k) {
-      if (block.moves1) look(block.J.side1().row(k));
-      if (block.moves2) look(block.J.side2().row(k));
-    }
+    if (block.moves1) look(block.J.side1());
+    if (block.moves2) look(block.J.side2());
   });
-  return (most - least).norm() + arm;
+  return (most - least).norm() + std::sqrt(longest);
 }
 
 }  // namespace
@@ -76,7 +79,7 @@ double pushed_energy(const System<M>& system, const Bodies<M>& bodies, std::vect
 }
 
 template <class M>
-void move_towards(const Answer<M>& other, double most, System<M>& system, Bodies<M>& bodies) {
+void move_towards(const Solved<M>& other, double most, System<M>& system, Bodies<M>& bodies) {
   // E(V + s ΔV) = E(V) + 2 s half + s² E(ΔV).
   std::vector<Velocity<M>> change = other.velocity;
   for (int body = 0; body < bodies.size(); ++body) change[body] -= bodies.velocity[body];
@@ -91,7 +94,7 @@ void move_towards(const Answer<M>& other, double most, System<M>& system, Bodies
 #define BYHAND_INSTANTIATE(M)                                                              \
   template double driven_energy(const System<M>&, const Bodies<M>&);                       \
   template double pushed_energy(const System<M>&, const Bodies<M>&, std::vector<double>&); \
-  template void move_towards(const Answer<M>&, double, System<M>&, Bodies<M>&)
+  template void move_towards(const Solved<M>&, double, System<M>&, Bodies<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -19,7 +19,7 @@ constexpr double rounding = 1e-9;
 
 /// λ, and the velocities that it gives.
 template <class M>
-struct Answer {
+struct Solved {
   std::vector<double> lambda;
   std::vector<Velocity<M>> velocity;
 };
@@ -42,7 +42,7 @@ void begin_anew(const std::vector<Velocity<M>>& without, System<M>& system, Bodi
 /// Moves λ and V of system and bodies towards others, as far as leaves at most this energy [J]. Bounds that hold
 /// for both hold between them.
 template <class M>
-void move_towards(const Answer<M>& other, double most, System<M>& system, Bodies<M>& bodies);
+void move_towards(const Solved<M>& other, double most, System<M>& system, Bodies<M>& bodies);
 
 /// Takes back what rows have made beyond that: they push with less. `without` are the velocities without λ, and
 /// `solve` solves the rows from none. Where rows have not converged, what they may make counts from where they are
@@ -55,7 +55,7 @@ bool limit_energy(const std::vector<Velocity<M>>& without, bool converged, Syste
   if (after <= (1 + rounding) * before) return false;
   const double made = pushed_energy(system, bodies, bias);
   if (converged && after <= (1 + rounding) * (before + made)) return false;
-  Answer<M> pushed{system.lambda, bodies.velocity};
+  Solved<M> pushed{system.lambda, bodies.velocity};
   begin_anew(without, system, bodies);
   system.bias.swap(bias);
   solve();

@@ -198,17 +198,18 @@ Seen pressed(double length, double friction) {
 
 // On the other side of the boundary: a motor can turn a bar that is pinned anywhere, at any strength from rest on,
 // and the whole energy of the turn is its own. `arm` is from the bar's centre to its pin, on a body that stands
-// elsewhere.
+// elsewhere, and may stand at any angle.
 TYPED_TEST(RowsAgainstContacts, DoNotSlowWhatAMotorTurns) {
   using M = TypeParam;
-  for (const double arm : {0.0, 0.25, 0.5, 2.0})
+  for (const auto& [arm, angle] :
+       {std::pair(0.0, 0.0), {0.25, 0.0}, {0.5, 0.8}, {2.0, 0.0}, {2.0, 2.3}, {5.0, 0.8}})
     for (const double strength : {20.0, 100.0, 1e4, 1e300}) {
       Scene<M> scene;
       scene.gravity.setZero();
       Linear<M> sides = Linear<M>::Constant(0.1);
       sides[0] = 1;
       const int ground = scene.add_body(point<M>(7, 3), fixed<M>()),
-                bar = scene.add_body(point<M>(arm, 0), box<M>(1, sides));
+                bar = scene.add_body(point<M>(arm * std::cos(angle), arm * std::sin(angle)), box<M>(1, sides));
       if constexpr (M::linear == 2) {
         scene.add(pin<M>(scene.bodies(), ground, bar, point<M>(0, 0)));
         scene.add(motor<M>(turn(scene.bodies(), ground, bar), 2, strength));
@@ -218,7 +219,7 @@ TYPED_TEST(RowsAgainstContacts, DoNotSlowWhatAMotorTurns) {
       }
       Simulation simulation{std::move(scene)};
       simulation.step(1.0 / 60);
-      EXPECT_TRUE(simulation.work.solution.converged) << arm << ' ' << strength;
+      EXPECT_TRUE(simulation.work.solution.converged) << arm << ' ' << angle << ' ' << strength;
       // It is up to its speed at once, or after (I + mr²)ω = strength t.
       const double inertia = 1.01 / 12 + arm * arm;
       run(simulation, 2 * inertia / strength + 2.0 / 60, 1.0 / 60);
