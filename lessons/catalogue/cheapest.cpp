@@ -1,0 +1,185 @@
+#include "lessons/catalogue/cheapest.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace byhand {
+namespace {
+
+Watch watch_of(const Problem& problem, const Wish& wish, double bound) {
+  Watch watch{.seconds = screening(problem), .reference = asks_for_reference(wish.limits), .most = bound};
+  // Far beyond its limit a run has told enough.
+  for (const auto& [error, limit] : wish.limits) {
+    watch.limit[static_cast<std::size_t>(error)] = 1.5 * limit;
+    watch.algebraic = watch.algebraic || error == Error::algebraic;
+  }
+  return watch;
+}
+
+/// What one variant of a method (its cure, its passes) can do.
+class Variant {
+ public:
+  /// `most` instructions end its search.
+  Variant(const Problem& problem, const Family& family, const Wish& wish, double bound, double most, Known* known)
+      : problem_(problem),
+        wish_(wish),
+        runs_(problem, family, watch_of(problem, wish, bound), known),
+        most_(most) {}
+
+  /// The least substeps from the law's on with which some strength reaches the wish; then fewer passes.
+  void search(Cure cure, int passes) {
+    Knobs knobs = first_knobs(problem_, runs_.family(), cure, passes);
+    if (const Point& first = tuned(knobs); first.outcome == Outcome::refused) return;
+    int missed = 0, waited = 0;
+    double before = INFINITY;
+    while (!reaches(tuned(knobs))) {
+      const Point& now = tuned(knobs);
+      if (now.outcome == Outcome::too_slow || knobs.substeps >= 4096 || ends()) return;
+      if (now.outcome == Outcome::no_solution && runs_.family().name == "direct" && knobs.regularisation == 0) {
+        knobs.regularisation = 1e-9;  // rows that repeat each other
+        continue;
+      }
+      waited = rank(now) < 0.8 * before ? 0 : waited + 1;
+      before = std::min(before, rank(now));
+      if (waited == 4) return;  // it no longer gains
+      missed = knobs.substeps;
+      knobs = now.knobs;
+      knobs.substeps *= 2;
+    }
+    for (int enough = knobs.substeps; enough - missed > std::max(1, enough / 16) && !ends();) {
+      knobs.substeps = missed + (enough - missed) / 2;
+      (reaches(tuned(knobs)) ? enough : missed) = knobs.substeps;
+    }
+  }
+
+  /// Steps of single knobs that make the best cheaper and still reach the wish.
+  void descend() {
+    for (bool gains = best_.reached; gains && !ends();) {
+      gains = false;
+      const Knobs from = best_.point.knobs;
+      for (const double share : {0.5, 0.7, 0.85}) {
+        for (int Knobs::*knob : {&Knobs::substeps, &Knobs::passes}) {
+          Knobs next = from;
+          next.*knob = std::max(1, std::min(next.*knob - 1, static_cast<int>(std::lround(share * (next.*knob)))));
+          if (next == from) continue;
+          // The other knob may make up for it.
+          for (const double more : {1.0, 1.2, 1.5}) {
+            Knobs traded = next;
+            int Knobs::*other = knob == &Knobs::substeps ? &Knobs::passes : &Knobs::substeps;
+            if (more > 1 && runs_.family().pass.empty()) continue;
+            traded.*other = static_cast<int>(std::ceil(more * (traded.*other)));
+            const double cost = best_.point.cost;
+            tuned(traded);
+            gains = gains || best_.point.cost < 0.99 * cost;
+            if (gains) break;
+          }
+          if (gains) break;
+        }
+        if (gains) break;
+      }
+    }
+  }
+
+  const Candidate& best() const { return best_; }
+  Spent spent() const { return {runs_.made(), runs_.work()}; }
+
+ private:
+  bool reaches(const Point& point) const { return excess(point, wish_.limits) <= 1; }
+  bool ends() const { return runs_.work() > most_; }
+
+  /// A number that falls towards the wish also where a run ended early, beyond its limits or by a failure.
+  double rank(const Point& point) const {
+    const double over = excess(point, wish_.limits), late = runs_.seconds() / std::max(point.seconds, frame);
+    return std::isfinite(over) ? over * late : 1e9 * late;
+  }
+
+  const Point& run(const Knobs& knobs) {
+    // What is left has to pay for all of the run.
+    runs_.watch().most = std::min(runs_.watch().most, (most_ - runs_.work()) * frame / runs_.seconds());
+    const Point& point = runs_.at(knobs);
+    const double over = excess(point, wish_.limits);
+    const bool reached = over <= 1;
+    if (reached) runs_.watch().most = std::min(runs_.watch().most, 1.02 * point.cost);
+    if (best_.point.family == nullptr || (reached && !best_.reached) ||
+        (reached && point.cost < best_.point.cost) || (!reached && !best_.reached && rank(point) < best_.excess))
+      best_ = {reached, point, reached ? over : rank(point)};
+    return point;
+  }
+
+  /// The best strength and relaxation at these substeps and passes, from those that are given; it ends with the
+  /// first that reaches the wish.
+  const Point& tuned(const Knobs& knobs) {
+    const Knobs key{knobs.substeps, knobs.passes, knobs.cure, 0, 1, knobs.regularisation};
+    if (const auto known = tuned_.find(key); known != tuned_.end()) return runs_.at(known->second);
+    Knobs at = within_laws(problem_, runs_.family(), knobs);
+    const Point* best = &run(at);
+    for (double stride = 4; stride > 1.1 && !reaches(*best) && best->outcome != Outcome::refused && !ends();) {
+      bool moved = false;
+      for (const Knobs& next : tried(at, stride)) {
+        const Point& point = run(next);
+        if (rank(point) < 0.97 * rank(*best)) {
+          best = &point, at = point.knobs, moved = true;
+          break;
+        }
+      }
+      if (!moved) stride = rank(*best) > 4 ? 1 : std::sqrt(stride);  // hopeless: not worth a finer search
+    }
+    tuned_[key] = best->knobs;
+    return *best;
+  }
+
+  std::vector<Knobs> tried(const Knobs& knobs, double stride) const {
+    std::vector<Knobs> all;
+    const auto add = [&](auto&& change) {
+      Knobs next = knobs;
+      change(next);
+      next = within_laws(problem_, runs_.family(), next);
+      if (next != knobs) all.push_back(next);
+    };
+    add([&](Knobs& k) { k.strength *= stride; });
+    add([&](Knobs& k) { k.strength /= stride; });
+    const double step = std::sqrt(stride);
+    add([&](Knobs& k) {
+      k.relaxation = k.relaxation < 1 ? std::min(1.0, k.relaxation * step) : 2 - (2 - k.relaxation) / step;
+    });
+    add([&](Knobs& k) {
+      k.relaxation = k.relaxation <= 1 ? k.relaxation / step : std::max(1.0, 2 - (2 - k.relaxation) * step);
+    });
+    return all;
+  }
+
+  const Problem& problem_;
+  const Wish& wish_;
+  Runs runs_;
+  double most_;
+  std::map<Knobs, Knobs> tuned_;
+  Candidate best_;
+};
+
+}  // namespace
+
+Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound, Spent* spent,
+                   double most_work, Known* known) {
+  std::vector<std::unique_ptr<Variant>> variants;
+  Variant* best = nullptr;
+  double work = 0;
+  for (const Cure cure : family.cures)
+    for (const int passes : {1, 2, 4, 8, 16, 64}) {
+      if (passes > (family.pass == "digit" ? 4 : family.pass.empty() ? 1 : 64)) break;
+      if (best && work > most_work) break;
+      const double most = best && best->best().reached ? best->best().point.cost : INFINITY;
+      variants.push_back(
+          std::make_unique<Variant>(problem, family, wish, std::min(bound, most), most_work - work, known));
+      Variant& variant = *variants.back();
+      variant.search(cure, passes);
+      work += variant.spent().work;
+      if (!best || (variant.best().point.family && preferred(variant.best(), best->best(), wish))) best = &variant;
+      if (variant.best().point.outcome == Outcome::refused) break;
+    }
+  best->descend();
+  if (spent)
+    for (const auto& variant : variants) *spent += variant->spent();
+  return best->best();
+}
+
+}  // namespace byhand

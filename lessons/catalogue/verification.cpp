@@ -1,0 +1,71 @@
+#include "lessons/catalogue/verification.hpp"
+
+#include <algorithm>
+
+namespace byhand {
+
+void one_after_another(int count, const std::function<void(int)>& work) {
+  for (int i = 0; i < count; ++i) work(i);
+}
+
+Verification verify(const Problem& problem, const Point& point, const Wish& wish, int starts,
+                    const SideBySide& side_by_side, int seed, bool until_one_fails) {
+  Verification result{.seconds = problem.scene().duration};
+  // First a few, because most that fail do so soon.
+  for (int batch = until_one_fails ? 6 : starts; result.starts < starts; batch *= 2) {
+    const int first = result.starts;
+    std::vector<Point> points(static_cast<std::size_t>(std::min(batch, starts - first)));
+    side_by_side(static_cast<int>(points.size()), [&](int i) {
+      points[static_cast<std::size_t>(i)] =
+          whole_run(problem.variation(first + i, seed), *point.family, point.knobs, wish);
+    });
+    for (const Point& one : points) {
+      ++result.starts;
+      result.good += one.outcome == Outcome::good;
+      const double over = excess(one, wish.limits);
+      result.within += over <= 1;
+      if (over > result.excess) result.excess = over, result.worst = result.starts - 1;
+      if (one.outcome != Outcome::good && result.first_failure.empty()) result.first_failure = one.reason;
+    }
+    if (until_one_fails && !result.kept()) break;
+  }
+  return result;
+}
+
+double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits, Spent* spent,
+              double most_work) {
+  const NamedScene& scene = problem.scene();
+  const auto parameter = std::find_if(scene.parameters.begin(), scene.parameters.end(),
+                                      [&](const SceneParameter& one) { return one.name == scene.stress; });
+  const double value = problem[scene.stress];
+  Watch watch{.seconds = screening(problem), .reference = asks_for_reference(limits)};
+  for (const auto& [error, limit] : limits) watch.limit[static_cast<std::size_t>(error)] = limit;
+  double work = 0;
+  const auto holds = [&](double factor) {
+    if (factor == 1) return true;
+    // Times its largest factor the value may be above its upper end by rounding.
+    const Point run = measure(problem.with(scene.stress, std::min(factor * value, parameter->high)), *point.family,
+                              point.knobs, watch);
+    work += work_of(run);
+    if (spent) *spent += {1, work_of(run)};
+    return excess(run, limits) <= 1;
+  };
+  if (!(value > 0)) return NAN;
+  const double most = std::min(1000.0, parameter->high / value);
+  double low = 1, high = 1;
+  // In short strides: where steps are too long for a stiff scene, good bands follow bad ones.
+  while (holds(high)) {
+    if (work > most_work) return NAN;
+    low = high;
+    if (high >= most) return INFINITY;
+    high = std::min(1.2 * high, most);
+  }
+  while (high > 1.05 * low) {
+    if (work > most_work) return NAN;
+    const double middle = std::sqrt(low * high);
+    (holds(middle) ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace byhand

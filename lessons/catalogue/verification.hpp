@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "lessons/catalogue/wish.hpp"
+
+// Whether a method's choices keep a wish from other initial conditions, and with a harder scene.
+namespace byhand {
+
+/// As many starts have to keep a wish, all of them, before more than 95 % of such starts do with 95 % confidence:
+/// 0.95⁵⁹ < 0.05.
+inline constexpr int certain = 59;
+
+/// A run from each of several initial conditions.
+struct Verification {
+  int starts = 0, good = 0, within = 0;  // did their duty; had errors within the limits, too
+  double seconds = 0;                    // of each
+  double excess = 0;                     // the largest error of those over its limit; infinite where one failed
+  int worst = 0;                         // the start from which it was so
+  std::string first_failure = {};        // "a joint opened …"; empty if all are good
+
+  bool kept() const { return within == starts; }
+  bool certified() const { return kept() && starts >= certain; }
+};
+
+/// Calls work(0) … work(count - 1), each once.
+using SideBySide = std::function<void(int count, const std::function<void(int)>& work)>;
+void one_after_another(int count, const std::function<void(int)>& work);
+
+/// Runs a point's choices from other initial conditions, the scene's own first. `until_one_fails` leaves the rest.
+Verification verify(const Problem& problem, const Point& point, const Wish& wish, int starts,
+                    const SideBySide& side_by_side = one_after_another, int seed = 1,
+                    bool until_one_fails = false);
+
+/// The factor on the scene's stress parameter, at least 1 and within 5 %, at which this point's method no longer
+/// keeps within the limits; infinite if it does at the parameter's upper end and up to a thousand, NaN if the
+/// parameter is not above zero, or this takes more than `most` instructions.
+double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits,
+              Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity());
+
+}  // namespace byhand
