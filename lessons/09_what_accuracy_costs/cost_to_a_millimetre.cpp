@@ -4,6 +4,7 @@
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 #include "lessons/catalogue/cheapest.hpp"
+#include "lessons/catalogue/limits.hpp"
 #include "lessons/catalogue/tidy.hpp"
 
 namespace byhand::accuracy {

@@ -10,6 +10,7 @@
 
 #include "lessons/catalogue/chooser.hpp"
 #include "lessons/catalogue/code.hpp"
+#include "lessons/catalogue/front.hpp"
 #include "lessons/catalogue/profile.hpp"
 #include "lessons/catalogue/tidy.hpp"
 #include "tests/long_run.hpp"
