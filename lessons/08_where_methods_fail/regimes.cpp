@@ -41,7 +41,7 @@ std::vector<Regime> regimes(const Setting& setting) {
                stiffness =
                    std::pow(2 * std::numbers::pi * soft.frequency, 2) / laws::inverse_mass_of_a_corner(soft.size);
   return {
-      {"T h²/(m l)", "1 (many light links)", "it flies apart, however well rows are solved",
+      {"T h²/(m l)", "1 (many light links; of pinned rods 1/3)", "it flies apart, however well rows are solved",
        "substeps: as many as the square root of this number", 7,
        say("@ links, @ kg at the end", taut.links, setting.end_mass), (setting.end_mass + taut.links - 1) * link,
        (laws::heaviest_end(taut) + taut.links - 1) * link, [=] { return laws::run(taut) == Outcome::settles; }},

@@ -8,6 +8,7 @@
 
 #include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/creep.hpp"
+#include "lessons/laws/transverse.hpp"
 
 namespace byhand {
 namespace {
@@ -18,8 +19,14 @@ int links_of(const Problem& problem) {
   return name == "double_pendulum" ? 2 : name == "pendulum" || name == "compound_pendulum" ? 1 : 0;
 }
 
-/// T h²/(m l) of law 7 at one step a frame. What is let go from an angle θ passes its lowest point under the pull
-/// (3 - 2cos θ) times its weight.
+/// Where T h²/(m l) of law 7 ends: rods that are pinned to each other swing faster than bobs.
+double limit_of_taut(const Problem& problem) {
+  const bool rods = problem.model().starts_with("links") && links_of(problem) != 1;
+  return rods ? laws::limit_of_rods : laws::limit_of_bobs;
+}
+
+/// T h²/(m l) of law 7 at one step a frame, over its limit. What is let go from an angle θ passes its lowest point
+/// under the pull (3 - 2cos θ) times its weight.
 double pull_over_stiffness(const Problem& problem) {
   const std::string& name = problem.scene().name;
   if (problem.scene().duty != Duty::hold || name == "top") return 0;
@@ -32,7 +39,7 @@ double pull_over_stiffness(const Problem& problem) {
   double pull = swing * problem["gravity"] * hanging;
   if (name == "spherical_pendulum")
     pull += problem["mass"] * problem["length"] * std::pow(problem["azimuth_rate"], 2);
-  return pull * h2 / (problem["mass"] * problem["length"]);
+  return pull * h2 / (problem["mass"] * problem["length"]) / limit_of_taut(problem);
 }
 
 }  // namespace
@@ -46,7 +53,7 @@ LawLimit limit_of(const Problem& problem) {
   LawLimit limit;
   if (const double number = pull_over_stiffness(problem); number > 0) {
     limit.law = 7;
-    limit.number = fmt::format("T·h²/(m·l) = {:.2g}", number);
+    limit.number = fmt::format("{}T·h²/(m·l) = {:.2g}", limit_of_taut(problem) < 1 ? "3·" : "", number);
     limit.substeps = substeps_of_law_7(problem);
   } else if (name == "stack") {
     const int boxes = static_cast<int>(problem["boxes"]);

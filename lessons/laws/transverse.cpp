@@ -18,6 +18,9 @@
 // A chain swings at the eigenvalues ω² of the tridiagonal matrix with (T_i + T_{i+1})/(m_i l) on its diagonal and
 // T_{i+1}²/(m_i m_{i+1} l²) as the squares beside it. All are below (2/h)² iff (2/h)² - K has positive pivots
 // only. A light link between heavy ends has 2T/(ml) by itself, and many of them up to twice that: T h²/(ml) < 1.
+// Pinned rods are lighter for it: where each leans against the next, their pins move by x and -x in turns, and a
+// pin carries a third of a rod's mass, for the rods turn about their middles. So their ω² goes up to 12T/(ml), and
+// T h²/(ml) < 1/3.
 //
 // The condition for one spring is that of J. C. Simo's and every other text on symplectic Euler; that a solved
 // constraint is such a spring sideways was derived for this course.
@@ -78,7 +81,7 @@ Law transverse() {
           Family::too_large_a_step,
           "transverse instability",
           "sideways a taut chain is an explicit spring, even if each step is solved exactly",
-          "ω_max h < 2; a long light chain: T h²/(m l) < 1",
+          "ω_max h < 2; a long light chain: T h²/(m l) < 1, of pinned rods 1/3",
           {}};
   const auto add = [&](std::string setting, TautChain chain) {
     law.boundaries.push_back(bisected({"end mass",

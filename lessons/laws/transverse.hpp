@@ -21,6 +21,10 @@ Outcome run(const TautChain& chain);
 /// The heaviest end that this chain bears [kg].
 double heaviest_end(const TautChain& chain);
 
+/// T h²/(ml) at which many light links under the tension T blow up [1]: of bobs on rods without mass, and of
+/// uniform rods that are pinned to each other.
+inline constexpr double limit_of_bobs = 1, limit_of_rods = 1.0 / 3;
+
 /// Law 7: what hangs taut is an explicit spring sideways.
 Law transverse();
 

@@ -8,13 +8,16 @@
 #include "lessons/laws/creep.hpp"
 #include "lessons/laws/hopping.hpp"
 #include "lessons/laws/law.hpp"
+#include "lessons/laws/numbers.hpp"
 #include "lessons/laws/pop.hpp"
 #include "lessons/laws/record.hpp"
 #include "lessons/laws/spin.hpp"
 #include "lessons/laws/sweeps.hpp"
 #include "lessons/laws/transverse.hpp"
 #include "lessons/laws/warm_start.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "solver/rows/gauss_seidel.hpp"
+#include "solver/step.hpp"
 
 // Each law of lesson 8: where it says, on both sides of that, and where its experiment finds it.
 namespace laws_test {
@@ -160,6 +163,31 @@ TEST(Law7, MoreSweepsCannotHelpButSmallerStepsCan) {
 TEST(Law7, TheTensionAtTheLimitIsAboutTheLinksMassTimesLengthOverTheStepSquared) {
   for (const double step : {1.0 / 30, 1.0 / 60, 1.0 / 240})
     EXPECT_NEAR(heaviest_end({.step = step}) * 9.81 * step * step, 1, 0.1);
+}
+
+/// How far a hanging chain of pinned rods swings to the side in a thousand steps, over how far it was off at
+/// first, where T h²/(ml) at its end is `number`.
+double swung(double number) {
+  using M = byhand::PlaneBody;
+  const int links = 30;
+  const double h = 1.0 / 60, off = 1e-8;
+  byhand::Scene<M> scene = byhand::pinned_chain<M>({.links = links, .end_mass = number / (9.81 * h * h)});
+  for (int i = 1; i <= links; ++i) scene.set_position(i, {off * uneven(i), scene.bodies().pose[i].position.y()});
+  byhand::Simulation<M> simulation{std::move(scene), {byhand::Direct{}, byhand::Baumgarte{}}};
+  double farthest = 0;
+  for (int i = 0; i < 1000; ++i) {
+    simulation.step(h);
+    for (const auto& pose : simulation.scene.bodies().pose)
+      farthest = std::max(farthest, std::abs(pose.position.x()));
+  }
+  return farthest / off;
+}
+
+// The end carries nearly all of the tension. The links' own weight adds 30 g to it at the top.
+TEST(Law7, OfPinnedRodsTheLimitIsAThird) {
+  const double weight = 30 * 9.81 / 3600;
+  EXPECT_LE(swung(0.95 * limit_of_rods - weight), 1000);
+  EXPECT_GE(swung(1.15 * limit_of_rods), 1e6);
 }
 
 TEST(Law17, ItIsGreenhillsColumn) {
