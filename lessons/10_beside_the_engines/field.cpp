@@ -10,7 +10,7 @@ constexpr int rounds = 3;  // of each time
 
 template <class M>
 Entrant<M> entrant_of(const Engine& engine, Kind kind, double most_work) {
-  Entrant<M> entrant{engine.name, {}};
+  Entrant<M> entrant{engine.name, engine.single, {}};
   const auto& settings = kind == Kind::joints ? engine.settings.joints : engine.settings.contacts;
   for (const engines::Setting& setting : settings)
     if (setting.row != engines::Row::tuned || engines::iterations_a_frame(setting) <= most_work)
@@ -167,26 +167,42 @@ std::string unbroken(std::string words) {
 }
 
 /// Who has the smaller error at equal time, with the least that is, who is level within the spread of the
-/// times, and of the others who is quicker than all runs of the course.
-std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>& all, Unit unit) {
+/// times, and of those who are not ahead who is quicker than all runs of the course. `when` begins the sentence.
+std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>& all, Unit unit,
+                     const std::string& when) {
+  using engines::Beside;
   using engines::Rank;
-  const auto those = [&](Rank rank, const std::string& words) {
+  const auto those = [&](const std::string& words, const std::function<std::optional<Point>(const Beside&)>& of) {
     std::vector<std::string> names;
     for (const auto& [name, beside] : all)
-      if (beside.rank == rank)
-        names.push_back(say("@ (@)", name,
-                            unbroken(say("@ in @ µs", in_words(beside.point.error, unit),
-                                         Value(1e6 * beside.point.seconds.least, 2)))));
+      if (const auto point = of(beside))
+        names.push_back(
+            say("@ (@)", name,
+                unbroken(say("@ in @ µs", in_words(point->error, unit), Value(1e6 * point->seconds.least, 2)))));
     return names.empty() ? "" : words + listed(names);
   };
+  const auto ranked = [](Rank rank) {
+    return [=](const Beside& one) { return one.rank == rank ? std::optional(one.point) : std::nullopt; };
+  };
+  const auto quicker = [](const Beside& one) { return one.rank == Rank::ahead ? std::nullopt : one.quicker; };
   std::string title;
   for (const std::string& part :
-       {those(Rank::ahead, "ahead at equal time: "), those(Rank::level, "level at equal time: "),
-        those(Rank::quicker, "quicker than any run of this course: ")})
+       {those("ahead at equal time: ", ranked(Rank::ahead)), those("level at equal time: ", ranked(Rank::level)),
+        those("quicker than any run of this course: ", quicker)})
     if (!part.empty()) title += (title.empty() ? "" : "; ") + part;
-  if (title.empty()) return "At equal time, no engine tried here is ahead of this course";
+  if (title.empty()) title = "at equal time, no engine tried here is ahead of this course";
+  title = when + title;
   title.front() = static_cast<char>(std::toupper(title.front()));
   return title;
+}
+
+/// Beside an engine in single precision both count as no better than that.
+std::vector<Point> no_better(std::vector<Point> points, double least) {
+  for (Point& point : points) point.error = told(point.error, least);
+  return points;
+}
+double margin_of(const Errors& theirs, Unit unit) {
+  return theirs.single && unit == Unit::metres ? float_margin : margin;
 }
 
 }  // namespace
@@ -209,7 +225,9 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
     points.emplace_back();
     for (const double error : one.by_setting) {
       if (!std::isfinite(error)) continue;
-      points.back().push_back({seconds[run], told(error), contestants[run].words()});
+      points.back().push_back(
+          {seconds[run], told(error),
+           say("@ (slowest round @ µs)", contestants[run].words(), Value(1e6 * seconds[run].most, 3))});
       ++run;
     }
   }
@@ -227,10 +245,19 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
     if (curve.x.empty()) curve.label += " (failed)";
     chart.curves.push_back(std::move(curve));
   }
+  Curve shipped{.label = "as shipped", .style = CurveStyle::markers, .colour = fade(palette::ink, 0.5)};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (!std::isfinite(errors[i].shipped())) continue;
+    shipped.x.push_back(points[i].front().error);
+    shipped.y.push_back(1e6 * points[i].front().seconds.least);
+    shipped.point_names.push_back(errors[i].name);
+  }
+  if (!shipped.x.empty()) chart.curves.push_back(std::move(shipped));
   std::vector<std::pair<std::string, engines::Beside>> beside;
   for (std::size_t i = 1; i < points.size(); ++i)
-    beside.emplace_back(errors[i].name, engines::at_equal_time(points[i], points[0]));
-  if (!beside.empty()) chart.title = title_of(beside, unit);
+    beside.emplace_back(errors[i].name, engines::at_equal_time(no_better(points[i], margin_of(errors[i], unit)),
+                                                               no_better(points[0], margin_of(errors[i], unit))));
+  if (!beside.empty()) chart.title = title_of(beside, unit, timed.when);
   if (std::any_of(errors.begin(), errors.end(), [](const Errors& one) { return one.best() <= margin; }))
     chart.references.push_back({.axis = Reference::Across::x, .value = margin, .label = "or less"});
   return chart;
@@ -250,15 +277,16 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit, const 
       {"As shipped,", &Errors::shipped}, {"As advised,", &Errors::advised}, {"At their best,", &Errors::best}};
   for (const auto& [name, number] : rows) {
     const double own = told((all[0].*number)());
-    double worst_ahead = 0, worst_level = 0, least = INFINITY;
+    double worst_ahead = 0, worst_level = 0, least = INFINITY, ends = margin;
     std::vector<std::string> ahead, level;
     for (std::size_t i = 1; i < all.size(); ++i) {
-      const double error = told((all[i].*number)());
+      const double finest = margin_of(all[i], unit), error = told((all[i].*number)(), finest),
+                   beside = told(own, finest);
       least = std::min(least, error);
-      if (engines::equal_errors * error < own)
+      if (engines::equal_errors * error < beside)
         ahead.push_back(all[i].name), worst_ahead = std::max(worst_ahead, error);
-      else if (std::isfinite(own) && error < engines::equal_errors * own)
-        level.push_back(all[i].name), worst_level = std::max(worst_level, error);
+      else if (std::isfinite(own) && error < engines::equal_errors * beside)
+        level.push_back(all[i].name), worst_level = std::max(worst_level, error), ends = std::max(ends, finest);
     }
     std::vector<std::string> below{"this course"};
     below.insert(below.end(), level.begin(), level.end());
@@ -275,11 +303,11 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit, const 
       sentence = {.when = theirs >= INFINITY, .say = say("@ all fail.", name)};
     else if (level.empty())
       sentence = {.when = theirs > ours, .say = say("@ this course has the least @.", name, what)};
-    else if (own <= margin)
-      sentence = {
-          .when = Quantity("the largest", std::max(own, worst_level)) <= margin,
-          .say = say("@ @ are @ @, where this comparison ends.", name, listed(below),
-                     below.size() == 2 ? "both" : "all", unit == Unit::metres ? "below 1 µm" : "below 10⁻⁶ rad")};
+    else if (own <= ends)
+      sentence = {.when = Quantity("the largest", std::max(own, worst_level)) <= ends,
+                  .say = say("@ @ have at most @, where this comparison ends@.", name, listed(below),
+                             unit == Unit::radians ? "10⁻⁶ rad" : say("@ µm", Value(1e6 * ends, 1)),
+                             ends > margin ? " beside single precision" : "")};
     else
       sentence = {.when = Quantity("the largest of those level", worst_level) <=
                           Quantity("1.01 × ours", engines::equal_errors * own),

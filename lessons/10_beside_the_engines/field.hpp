@@ -11,13 +11,14 @@ using engines::Contestant;
 using engines::Engine;
 using engines::frame;
 using engines::Knobs;
-constexpr double gravity = 9.81;  // [m/s²]
-constexpr double margin = 1e-6;   // [m, rad]: errors below are not compared; a float of 50 m knows no less
-constexpr double most_of_a_pendulum = 32, most_in_space = 256;  // iterations a frame that are tried, of joints
+constexpr double gravity = 9.81;       // [m/s²]
+constexpr double margin = 1e-6;        // [m, rad]: errors below are not compared
+constexpr double float_margin = 4e-6;  // the same beside an engine in single precision [m]: a float of 50 m
+constexpr double most_of_a_pendulum = 32, most_in_space = 512;  // iterations a frame that are tried, of joints
 constexpr double most_of_contacts = engines::contact_iterations.back(),
                  most_of_a_wall_in_space = engines::contact_iterations.front();
-/// Of joints and of contacts: under node all engines share one process.
-constexpr double most_in_webassembly = 128;
+/// Under node all engines share one process.
+constexpr double most_of_joints_in_webassembly = 512, most_of_contacts_in_webassembly = most_of_contacts;
 constexpr int settling = 60;  // frames in which a pile comes to its engine's own rest
 
 /// The name under which the course's solver takes part.
@@ -27,6 +28,7 @@ inline const std::string& ours_name = engines::this_course().name;
 template <class M>
 struct Entrant {
   std::string name;
+  bool single = false;  // precision
   std::vector<Contestant<M>> settings;
 };
 
@@ -70,12 +72,13 @@ inline const std::vector<std::string> head_of_left_out{"left out", "of", "becaus
 inline double farther(double a, double b) { return std::abs(b) <= std::abs(a) ? a : b; }
 
 /// As far as errors are compared.
-inline double told(double error) { return std::max(error, margin); }
+inline double told(double error, double least = margin) { return std::max(error, least); }
 
 /// One number of each setting of an entrant, the less the better; infinite where it failed.
 struct Errors {
   std::string name;
-  std::vector<double> by_setting;
+  bool single = false;  // precision
+  std::vector<double> by_setting = {};
 
   double shipped() const { return by_setting[0]; }
   double advised() const { return by_setting[1]; }
@@ -91,7 +94,8 @@ struct Errors {
 template <class Outcome>
 struct Outcomes {
   std::string name;
-  std::vector<Outcome> by_setting;
+  bool single = false;
+  std::vector<Outcome> by_setting = {};
 };
 
 /// look(contestant) of every setting. The engines keep global variables, so that no two run at once.
@@ -99,7 +103,7 @@ template <class M, class F>
 auto outcomes_of(const Field<M>& field, F&& look) {
   std::vector<Outcomes<decltype(look(field.entrants[0].settings[0]))>> all;
   for (const Entrant<M>& entrant : field.entrants) {
-    all.push_back({entrant.name, {}});
+    all.push_back({entrant.name, entrant.single});
     for (const Contestant<M>& contestant : entrant.settings) all.back().by_setting.push_back(look(contestant));
   }
   return all;
@@ -110,7 +114,7 @@ template <class Outcome, class F>
 std::vector<Errors> errors_of(const std::vector<Outcomes<Outcome>>& all, F&& number) {
   std::vector<Errors> errors;
   for (const Outcomes<Outcome>& outcomes : all) {
-    errors.push_back({outcomes.name, {}});
+    errors.push_back({outcomes.name, outcomes.single});
     for (const Outcome& outcome : outcomes.by_setting) {
       const double found = std::invoke(number, outcome);
       errors.back().by_setting.push_back(std::isfinite(found) ? found : INFINITY);
@@ -148,6 +152,7 @@ struct Timed {
   Scene<M> scene;
   int frames;
   engines::Start<M> start = {};
+  std::string when = {};  // with which the chart's title begins: "undisturbed, "
 };
 
 /// From the engine's own rest, with a kick of the top by `speed` [m/s].

@@ -8,7 +8,7 @@ namespace byhand::beside {
 void in_webassembly(const Setting& setting, Page& page) {
   const auto& all = engines::engines_in_webassembly();
   page.text(
-      R"(PhysX, Jolt and Rapier come from npm, compiled to WebAssembly. Node runs them, and beside them this course, compiled
+      R"(PhysX, Jolt, Rapier and a later MuJoCo come from npm, compiled to WebAssembly. Node runs them, and beside them this course, compiled
       to WebAssembly as well.)");
   std::string names;
   for (const std::string& name : engines::missing_in_webassembly()) names += (names.empty() ? "" : ", ") + name;
@@ -20,8 +20,8 @@ void in_webassembly(const Setting& setting, Page& page) {
   if (all.empty()) return;
   page.text(
       R"(WebAssembly is slower than native code, and not by the same factor for every engine. So the times of this step
-      are compared with one another only; errors do not depend on it. Settings of up to @ iterations a frame are tried.)",
-      most_in_webassembly);
+      are compared with one another only; errors do not depend on it. Settings of up to @ iterations a frame are tried for the chain, of @ for the pyramid.)",
+      most_of_joints_in_webassembly, most_of_contacts_in_webassembly);
   std::vector<std::vector<std::string>> rows;
   for (const Engine& engine : all)
     rows.push_back({engine.name, engine.version, engine.single ? "single" : "double", with_build(engine),

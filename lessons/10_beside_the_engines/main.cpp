@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     known.emplace_back("With one engine only, this lesson shows how to measure, not who is better.");
   } else {
     known.emplace_back(
-        "An engine's defaults are chosen for speed (few steps, few iterations) and calm (an overlap that is "
+        "Most engines' defaults are chosen for speed (few steps, few iterations) and calm (an overlap that is "
         "left). Each is a "
         "term of its error that you can compute.");
     known.emplace_back(
@@ -49,9 +49,9 @@ int main(int argc, char** argv) {
     const auto soft = [](const auto& engine) { return engine.name == "Box2D 3" || engine.name == "Box3D"; };
     if (std::any_of(engines::all_engines().begin(), engines::all_engines().end(), soft))
       known.emplace_back(
-          "If an engine states a joint's stiffness in hertz, more substeps alone do not make it stiffer; raise "
-          "the "
-          "frequency too.");
+          "If an engine gives its joints a stiffness in hertz and caps it by the rate of substeps, as Box2D 3 "
+          "does, "
+          "more substeps alone do not make them stiffer beyond the cap; raise the frequency too.");
     known.emplace_back("A time belongs to one machine; the ratio of two times in one run says more.");
   }
   lesson.closing(

@@ -132,9 +132,11 @@ void the_engines(const Setting& setting, Page& page) {
   page.table({"engine", "version", "dimensions", "precision", "how it solves", "its settings"}, rows);
   page.text(
       R"(Semismooth Newton solves for all impulses at once, and again with other bounds active until none changes.
-      *As shipped*: only what must be set is set. *As its manual advises*: the knob that a source of its makers names is
-      turned the way it says, to its number or, where it gives none, to one of our choice: twice the iterations, half a
-      centimetre of Chipmunk's slop, ten times MuJoCo's friction. Both stand in `lessons/engines/settings/` (for this
+      *As shipped*: only what must be set is set, and switched off is what would take energy that the scenes do not lose:
+      damping, friction of joints, limits of speed. *As its manual advises*: the knob that a source of its makers names is
+      turned the way it says, to its number or, where it gives none, to one of our choice: twice the iterations, substeps
+      or, of ODE's chain, steps, half a centimetre of Chipmunk's slop, ten times MuJoCo's friction, four times this
+      course's substeps and a tenth of its tolerance. Both stand in `lessons/engines/settings/` (for this
       course the source is its lessons 8 and 9).)");
   if (!alone())
     page.text(
@@ -142,9 +144,11 @@ void the_engines(const Setting& setting, Page& page) {
         iterative one shares out up to @ iterations a frame among them (a pendulum @, in space @; contacts @, the
         pyramid in space @), and one that takes a sweep a substep (Box2D 3, Box3D) as many substeps in one step. Not counted are the rounds of this
         course's Newton's method, though its time is. For joints this course also tries lesson 9's RK4 and RATTLE, which
-        know no contacts; Bullet's direct solvers are not tried. Each point of a chart is one setting, named in its
-        data, timed on this machine. A float has 24 bits; at 50 m the last of them is 4 µm, which is about as far as an
-        engine in single precision can close a gap there. The comparison ends at 1 µm and at 10⁻⁶ rad.)",
+        know no contacts, and Bullet its direct solver. Each point of a chart is one setting, named in its data, timed on
+        this machine; a table names the first of equals. A float has 24 bits; at 50 m the last of them is 4 µm, which is
+        about as far as an engine in single precision can close a gap there. So the comparison with one ends at 4 µm, with
+        others at 1 µm, and at 10⁻⁶ rad. Above that, errors within a hundredth count as equal. Times do within a tenth, and
+        an engine counts as ahead only if its slowest round is ahead of this course's quickest.)",
         numbers(engines::joint_steps), numbers(engines::contact_steps), engines::joint_iterations.back(),
         most_of_a_pendulum, most_in_space, most_of_contacts, most_of_a_wall_in_space);
   if (const auto out = left_out(setting, Party::native); !out.empty()) page.table(head_of_left_out, out);

@@ -116,7 +116,7 @@ std::unique_ptr<World<M>> build(const Scene<M>& scene, const Knobs& knobs) {
 
 void add_box2d_2(std::vector<Engine>& all) {
   all.push_back({.name = "Box2D 2.4",
-                 .version = version_text(b2_version.major, b2_version.minor, b2_version.revision),
+                 .version = BYHAND_BOX2D_2_VERSION,
                  .method = "Gauss–Seidel on velocities, then on positions",
                  .file = "lessons/engines/settings/box2d_2.cpp",
                  .home = Home::plane,

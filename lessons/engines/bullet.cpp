@@ -2,6 +2,8 @@
 // them there. It multiplies the friction of two bodies, and has no rigid rod between bodies that turn.
 
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <btBulletDynamicsCommon.h>
 
 #include "lessons/engines/in_space.hpp"
@@ -17,8 +19,7 @@ class Bullet : public World<M> {
  public:
   Bullet(const Scene<M>& scene, const Knobs& knobs)
       : dispatcher_(&configuration_),
-        solver_(knobs.value("NNCG", 0) != 0 ? std::make_unique<btNNCGConstraintSolver>()
-                                            : std::make_unique<btSequentialImpulseConstraintSolver>()),
+        solver_(solver_of(knobs)),
         world_(&dispatcher_, &broad_phase_, solver_.get(), &configuration_) {
     world_.setGravity(vector(in_space(scene.gravity)));
     btContactSolverInfo& info = world_.getSolverInfo();
@@ -26,6 +27,7 @@ class Bullet : public World<M> {
     knobs.turn("ERP", info.m_erp);
     knobs.turn("contact ERP", info.m_erp2);
     knobs.turn("CFM", info.m_globalCfm);
+    if (knobs.value("DANTZIG", 0) != 0) info.m_minimumSolverBatchSize = 1;  // or its matrix spans all islands
     std::vector<btCollisionShape*> shapes(scene.bodies().size(), keep(std::make_unique<btEmptyShape>()));
     std::vector<double> friction(shapes.size(), 0);
     for_each_shape(
@@ -73,6 +75,11 @@ class Bullet : public World<M> {
   }
 
  private:
+  std::unique_ptr<btSequentialImpulseConstraintSolver> solver_of(const Knobs& knobs) {
+    if (knobs.value("DANTZIG", 0) != 0) return std::make_unique<btMLCPSolver>(&dantzig_);
+    if (knobs.value("NNCG", 0) != 0) return std::make_unique<btNNCGConstraintSolver>();
+    return std::make_unique<btSequentialImpulseConstraintSolver>();
+  }
   btCollisionShape* keep(std::unique_ptr<btCollisionShape> shape) {
     shapes_.push_back(std::move(shape));
     return shapes_.back().get();
@@ -105,6 +112,7 @@ class Bullet : public World<M> {
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broad_phase_;
+  btDantzigSolver dantzig_;
   std::unique_ptr<btSequentialImpulseConstraintSolver> solver_;
   btDiscreteDynamicsWorld world_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;

@@ -104,13 +104,10 @@ Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>&
              !within(std::max(time(point), quickest_other->seconds.least), equal_errors * point.error);
     });
   };
-  const std::pair<Rank, std::optional<Point>> ranks[] = {
-      {Rank::ahead, beats(slow)},
-      {Rank::level, beats(seconds)},
-      {Rank::quicker, best([&](const Point& point) { return !within(slow(point), INFINITY); })}};
-  for (const auto& [rank, point] : ranks)
-    if (point) return {rank, *point};
-  return {};
+  const auto quicker = best([&](const Point& point) { return !within(slow(point), INFINITY); });
+  if (const auto point = beats(slow)) return {Rank::ahead, *point, quicker};
+  if (const auto point = beats(seconds)) return {Rank::level, *point, quicker};
+  return {.quicker = quicker};
 }
 
 #define BYHAND_INSTANTIATE(M)                                                                       \

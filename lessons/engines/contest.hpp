@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "lessons/engines/engine.hpp"
 
@@ -65,12 +66,13 @@ constexpr double equal_errors = 1.01, equal_times = 1.1;
 
 /// One entrant beside another. Two are compared within any time that leaves both a run: ahead if some point of its
 /// own then has a smaller error than each point of the other that might be as fast, its slowest round and a tenth
-/// against the other's quickest; level if only its quickest round would be ahead. Neither, but quicker, if the
-/// other has no run as fast.
-enum class Rank { behind, quicker, level, ahead };
+/// against the other's quickest; level if only its quickest round would be ahead.
+enum class Rank { behind, level, ahead };
 struct Beside {
   Rank rank = Rank::behind;
-  Point point = {};  // the one of them with the least error
+  Point point = {};  // of those that are ahead, or level, the one with the least error
+  // Of those, too, that are quicker than every run of the other, whose slowest round and a tenth counts.
+  std::optional<Point> quicker = {};
 };
 Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>& others);
 

@@ -36,7 +36,7 @@ double processor_seconds() {
 
 template <class M>
 std::string refusal(const Engine& engine, const Scene<M>& scene) {
-  if (M::linear == 3 && engine.home == Home::plane) return "run in the plane only";
+  if (M::linear == 3 && engine.home == Home::plane) return "two-dimensional as it is used here";
   return engine.refusal ? engine.refusal(asked(scene)) : std::string();
 }
 template std::string refusal(const Engine&, const Scene<PlaneBody>&);

@@ -168,20 +168,18 @@ void add_ode(std::vector<Engine>& all) {
                  .settings = ode_quick_settings(),
                  .in_plane = build<PlaneBody, true>,
                  .in_space = build<SpaceBody, true>});
-  all.push_back(
-      {.name = "ODE direct",
-       .version = "0.16",
-       .method = "all rows at once: Dantzig's method on a dense matrix",
-       .file = "lessons/engines/settings/ode.cpp",
-       .build = "Debian's is compiled with its checks on",
-       .settings = ode_direct_settings(),
-       .refusal = [](const Asked& asked) -> std::string {
-         if (asked.boxes > 1)
-           return "it fails where contacts repeat each other: as shipped and as advised a stack of ten falls";
-         return asked.pins > 60 ? "takes a time that grows as the cube of the number of rows" : "";
-       },
-       .in_plane = build<PlaneBody, false>,
-       .in_space = build<SpaceBody, false>});
+  all.push_back({.name = "ODE direct",
+                 .version = "0.16",
+                 .method = "all rows at once: Dantzig's method on a dense matrix",
+                 .file = "lessons/engines/settings/ode.cpp",
+                 .build = "Debian's is compiled with its checks on",
+                 .settings = ode_direct_settings(),
+                 .refusal = [](const Asked& asked) -> std::string {
+                   if (asked.boxes > 1) return "as shipped and as advised a stack of ten falls";
+                   return asked.pins > 60 ? "takes a time that grows as the cube of the number of rows" : "";
+                 },
+                 .in_plane = build<PlaneBody, false>,
+                 .in_space = build<SpaceBody, false>});
 }
 
 }  // namespace byhand::engines

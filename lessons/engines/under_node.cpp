@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lessons/engines/in_space.hpp"
+#include "lessons/engines/mujoco_model.hpp"
 #include "lessons/scene_file/scene_file.hpp"
 
 namespace byhand::engines {
@@ -186,6 +187,14 @@ Build<M> in_host(const std::string& engine, const std::string& mode = "") {
   };
 }
 template <class M>
+Build<M> mujoco() {
+  return [](const Scene<M>& scene, const Knobs& knobs) {
+    json own = scene_in_space(scene);
+    own["model"] = mujoco_model(scene, knobs);
+    return std::make_unique<UnderNode<M>>(json{{"engine", "mujoco"}, {"scene", own}}, knobs);
+  };
+}
+template <class M>
 Build<M> ours() {
   return [](const Scene<M>& scene, const Knobs& knobs) {
     SceneFile file;
@@ -222,6 +231,7 @@ struct Found {
            .method = method,
            .file = "lessons/engines/settings/physx.cpp",
            .single = true,
+           .build = "with SIMD",
            .settings = settings,
            .refusal = refused,
            .in_plane = in_host<PlaneBody>("physx", mode),
@@ -236,7 +246,7 @@ struct Found {
          .method = "sweeps, then sweeps over positions",
          .file = "lessons/engines/settings/jolt.cpp",
          .single = true,
-         .build = "compiled without SIMD",
+         .build = "without SIMD",
          .settings = jolt_settings(),
          .refusal = no_rods,
          .in_plane = in_host<PlaneBody>("jolt"),
@@ -247,10 +257,19 @@ struct Found {
          .file = "lessons/engines/settings/rapier.cpp",
          .home = Home::plane,
          .single = true,
-         .build = "its deterministic package, which is the slower one",
+         .build = "without SIMD",
          .settings = rapier_settings(),
          .refusal = no_rods,
          .in_plane = in_host<PlaneBody>("rapier")});
+    add({.name = "MuJoCo 3",
+         .version = version_of("@mujoco/mujoco"),
+         .method = mujoco_method,
+         .file = "lessons/engines/settings/mujoco.cpp",
+         .home = Home::both,
+         .settings = mujoco_settings(),
+         .refusal = mujoco_refusal,
+         .in_plane = mujoco<PlaneBody>(),
+         .in_space = mujoco<SpaceBody>()});
     if (!runs) {
       for (const Engine& engine : engines) missing.push_back(engine.name);
       engines.clear();
@@ -259,7 +278,7 @@ struct Found {
 
  private:
   void add(Engine engine) {
-    engine.build = "WebAssembly";
+    engine.build = engine.build.empty() ? "WebAssembly" : "WebAssembly " + engine.build;
     engine.version.empty() ? missing.push_back(engine.name) : engines.push_back(engine);
   }
   /// Of a package that npm has fetched; empty if it has not.

@@ -2,7 +2,7 @@
 
 // Bullet. Knobs of btContactSolverInfo: iterations (10); ERP of joints and contact ERP (0.2), the share of an
 // error that a step takes back; CFM (0). NNCG, a switch: the solver of conjugate gradients in place of
-// sequential impulses.
+// sequential impulses. DANTZIG, a switch: btMLCPSolver with Dantzig's pivoting, a direct solve, for joints.
 namespace byhand::engines {
 
 Settings bullet_settings() {
@@ -25,6 +25,8 @@ Settings bullet_settings() {
       for (const Shares& shares : shares_of_contacts())
         all.contacts.push_back(tried(shares, conjugate, "contact ERP", erp));
     }
+  for (const int steps : joint_steps)
+    all.joints.push_back({.row = Row::tuned, .knobs = {{"DANTZIG", 1}}, .steps = steps});
   return all;
 }
 

@@ -6,18 +6,20 @@ namespace byhand::engines {
 namespace {
 
 const std::string
+    iterations_source =
+        "objects.h, dWorldSetQuickStepNumIterations: more iterations give a more accurate solution",
     contact_source =
-        "objects.h: dWorldSetContactSurfaceLayer, 0.001 can prevent jittering; dWorldStep's remedies begin "
-        "with more CFM, 1e-5 being what it has in single precision",
+        "objects.h: dWorldSetContactSurfaceLayer, 0.001 can prevent jittering; more CFM is the first remedy for "
+        "rows that are nearly singular, 1e-5 being what it has in single precision",
     step_source = "wiki, HOWTO make the simulation better: a smaller step is more accurate and more stable";
 const Setting advised_for_joints{.row = Row::advised, .steps = 2, .source = step_source},
-    advised_for_contacts{
-        .row = Row::advised, .knobs = {{"layer", 0.001}, {"CFM", 1e-5}}, .source = contact_source};
+    quick_for_contacts{.row = Row::advised, .knobs = {{"iterations", 40}}, .source = iterations_source},
+    direct_for_contacts{.row = Row::advised, .knobs = {{"layer", 0.001}, {"CFM", 1e-5}}, .source = contact_source};
 
 }  // namespace
 
 Settings ode_quick_settings() {
-  Settings all{.joints = {{}, advised_for_joints}, .contacts = {{}, advised_for_contacts}};
+  Settings all{.joints = {{}, advised_for_joints}, .contacts = {{}, quick_for_contacts}};
   for (const double erp : {0.2, 0.8}) {
     for (const auto& [steps, iterations] : shares_of_joints())
       all.joints.push_back(
@@ -33,7 +35,7 @@ Settings ode_quick_settings() {
 }
 
 Settings ode_direct_settings() {
-  Settings all{.joints = {{}, advised_for_joints}, .contacts = {{}, advised_for_contacts}};
+  Settings all{.joints = {{}, advised_for_joints}, .contacts = {{}, direct_for_contacts}};
   for (const double erp : {0.2, 0.8}) {
     for (const int steps : joint_steps)
       all.joints.push_back({.row = Row::tuned, .knobs = {{"ERP", erp}}, .steps = steps});

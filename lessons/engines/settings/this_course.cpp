@@ -9,7 +9,7 @@ Settings this_course_settings() {
   Settings all{.joints = {{},
                           {.row = Row::advised,
                            .knobs = {{"substeps", 4}},
-                           .source = "lesson 8, law 7: T h²/ml well below 1 where the chain is taut"}},
+                           .source = "lesson 8, law 7: T h²/ml well below a third where pinned rods are taut"}},
                .contacts = {{},
                             {.row = Row::advised,
                              .knobs = {{"tolerance", 1e-6}},

@@ -100,7 +100,8 @@ export async function load(modules) {
       const now = times(rotation, flat ? hinge : still);
       joint.setParentPose(frame(0, arms[0], times(conjugate(bodies[above].rotation), now)));
       joint.setChildPose(frame(1, arms[1], flat ? hinge : still));
-      joint.setMaxJointVelocity(1e10), joint.setFrictionCoefficient(0); // 100 rad/s, 0.05 as shipped
+      joint.setMaxJointVelocity(1e10); // 100 rad/s as shipped
+      joint.setFrictionCoefficient(knob('joint friction', 0)); // 0.05 as shipped
     }
     for (const { tree } of trees.values()) scene.addArticulation(tree);
 

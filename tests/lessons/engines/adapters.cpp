@@ -195,7 +195,7 @@ TEST(Engines, OdeDirectLetsAStackOfTenFall) {
 
 TEST(Engines, EachIsThereOrNamedAsMissing) {
   EXPECT_GE(all_engines().size() + missing().size(), 7U);
-  EXPECT_EQ(engines_in_webassembly().size() + missing_in_webassembly().size(), 6U);
+  EXPECT_EQ(engines_in_webassembly().size() + missing_in_webassembly().size(), 7U);
   for (const Engine& engine : everybody()) {
     EXPECT_FALSE(engine.version.empty());
     EXPECT_TRUE(std::ifstream(std::string(BYHAND_ROOT) + "/" + engine.file).good()) << engine.file;
@@ -264,7 +264,7 @@ TEST(Engines, EachIsTriedWithTheSameStepsAndIterations) {
   const auto tried = [](const std::vector<Setting>& settings, const auto& number) {
     std::set<double> numbers;
     for (const Setting& setting : settings)
-      if (setting.row == Row::tuned) numbers.insert(number(setting));
+      if (setting.row == Row::tuned && setting.knobs.value("DANTZIG", 0) == 0) numbers.insert(number(setting));
     return numbers;
   };
   const auto steps = [](const Setting& setting) { return setting.steps * setting.knobs.value("substeps", 1); };
@@ -301,16 +301,21 @@ TEST(Contest, ComparesErrorsAtATimeWithinWhichBothHaveARun) {
   const std::vector<Point> ours{{{1, 1.2}, 1e-2}, {{10, 12}, 1e-4}};
   const Point quick{{0.5, 0.9}, 1e-1}, no_slower{{0.9, 1.1}, 1e-3}, good{{4, 5}, 1e-3};
   const auto beside = [&](const std::vector<Point>& points) { return at_equal_time(points, ours); };
-  EXPECT_EQ(beside({quick}).rank, Rank::quicker) << "ours has no run as fast, and each a smaller error";
+  EXPECT_EQ(beside({quick}).rank, Rank::behind) << "each of ours has a smaller error";
+  EXPECT_EQ(beside({quick}).quicker->seconds.least, 0.5) << "but none is as fast";
+  const Point as_good{{9.9, 10.1}, 1e-4};
+  EXPECT_EQ(beside({quick, as_good}).rank, Rank::level);
+  EXPECT_EQ(beside({quick, as_good}).quicker->seconds.least, 0.5);
   EXPECT_EQ(beside({{{0.5, 0.9}, 1e-3}}).rank, Rank::ahead) << "quicker than ours with more error";
   EXPECT_EQ(beside({no_slower}).rank, Rank::ahead) << "ours may be as fast";
-  EXPECT_EQ(beside({{{0.9, 1.1}, 1}}).rank, Rank::behind) << "nor is it quicker then";
+  EXPECT_EQ(beside({{{0.9, 1.1}, 1}}).rank, Rank::behind);
+  EXPECT_FALSE(beside({{{0.9, 1.1}, 1}}).quicker) << "nor is it quicker then";
   EXPECT_EQ(beside({quick, good}).rank, Rank::ahead);
   EXPECT_EQ(beside({quick, good}).point.seconds.least, 4) << "and from there on";
   EXPECT_EQ(at_equal_time(ours, {quick}).rank, Rank::ahead) << "the same from the other side";
   EXPECT_EQ(at_equal_time(ours, {good}).rank, Rank::ahead) << "with its slower run, at a time of both";
   EXPECT_EQ(at_equal_time(ours, {good}).point.seconds.least, 10);
-  EXPECT_EQ(at_equal_time({good}, {}).rank, Rank::quicker) << "of none there is no error to compare";
+  EXPECT_TRUE(at_equal_time({good}, {}).quicker) << "of none there is no error to compare";
 }
 
 TEST(Knobs, KeepWhatIsNotTurned) {
