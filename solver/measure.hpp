@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/constraints/spring.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/integrate/kinetic_energy.hpp"
 #include "solver/step.hpp"
@@ -16,7 +17,7 @@ double kinetic_energy(const Bodies<M>& bodies) {
   return kinetic_energy(bodies, bodies.velocity);
 }
 
-/// -m g·x [J], zero at the origin, with each body's gravity scale.
+/// -m g·x, zero at the origin, with each body's gravity scale, and ½kC² of springs [J].
 template <class M>
 double potential_energy(const Scene<M>& scene) {
   const Bodies<M>& bodies = scene.bodies();
@@ -24,6 +25,10 @@ double potential_energy(const Scene<M>& scene) {
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i]))
       energy -= gravity_on(bodies, i, scene.gravity).dot(bodies.pose[i].position) / bodies.inverse_mass[i].linear;
+  for (const Spring<M>& spring : scene.template all<Spring<M>>()) {
+    const double C = spring.template value<double>(bodies.pose[spring.at.body1], bodies.pose[spring.at.body2])[0];
+    energy += 0.5 * spring.elastic.stiffness * C * C;
+  }
   return energy;
 }
 

@@ -32,6 +32,14 @@ TEST(PositionError, OfNoRowIsZeroAndOfOneRowIsItsOwn) {
   EXPECT_DOUBLE_EQ(position_error(scene).rms, 0.5);
 }
 
+TEST(PotentialEnergy, OfASpringIsHalfItsStiffnessTimesTheSquareOfItsStretch) {
+  Scene<PlaneParticle> scene = bob_and_pivot();
+  const double weight = potential_energy(scene);
+  EXPECT_DOUBLE_EQ(weight, -2 * 9.81 * 1.5);
+  scene.add(Spring<PlaneParticle>{{0, 1}, 1.2, {.stiffness = 40, .damping = 3}});
+  EXPECT_NEAR(potential_energy(scene), weight + 0.5 * 40 * 0.3 * 0.3, 1e-12);
+}
+
 TEST(Residual, OfARowThatItsBoundStopsIsWhatAnotherSolveWouldChange) {
   Scene<PlaneParticle> scene = bob_and_pivot();
   Contact<PlaneParticle> contact{{1, 0}, {1, 0}};
