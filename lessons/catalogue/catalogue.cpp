@@ -260,7 +260,7 @@ std::vector<NamedScene> make_catalogue() {
        .stress = "gravity",
        .duration = 10,
        .size = "length",
-       .varied = "angle",
+       .varied = {"angle"},
        .reference = elliptic,
        .make = make_pendulum,
        .exact = exact_pendulum},
@@ -271,7 +271,7 @@ std::vector<NamedScene> make_catalogue() {
        .stress = "gravity",
        .duration = 10,
        .size = "length",
-       .varied = "angle",
+       .varied = {"angle"},
        .reference = elliptic,
        .make = make_compound_pendulum,
        .exact = exact_compound_pendulum},
@@ -281,7 +281,7 @@ std::vector<NamedScene> make_catalogue() {
        .models = any_two,
        .stress = "end_mass",
        .size = "length",
-       .varied = "angle",
+       .varied = {"angle"},
        .chaotic = true,
        .reference = angles,
        .make = make_double_pendulum,
@@ -297,7 +297,7 @@ std::vector<NamedScene> make_catalogue() {
        .models = any_chain,
        .stress = "end_mass",
        .size = "length",
-       .varied = "angle",
+       .varied = {"angle"},
        .chaotic = true,
        .reference = angles,
        .make = make_long_chain,
@@ -313,7 +313,7 @@ std::vector<NamedScene> make_catalogue() {
        .models = {links},
        .stress = "coupler_mass",
        .size = "length",
-       .varied = "angle",
+       .varied = {"angle"},
        .reference = elliptic,
        .make = make_four_bar,
        .exact = exact_four_bar},
@@ -328,7 +328,7 @@ std::vector<NamedScene> make_catalogue() {
        .stress = "azimuth_rate",
        .keeps_spin = true,
        .size = "length",
-       .varied = "angle",
+       .varied = {"angle"},
        .reference = elliptic,
        .make = make_spherical_pendulum,
        .exact = exact_spherical_pendulum},
@@ -339,7 +339,7 @@ std::vector<NamedScene> make_catalogue() {
        .stress = "gravity",
        .keeps_spin = true,
        .size = "length",
-       .varied = "angle",
+       .varied = {"angle"},
        .reference = "closed form",
        .make = make_conical_pendulum,
        .exact = exact_conical_pendulum},
@@ -355,7 +355,7 @@ std::vector<NamedScene> make_catalogue() {
        .stress = "spin",
        .keeps_spin = true,
        .size = "arm",
-       .varied = "spin",
+       .varied = {"spin"},
        .reference = "closed form (steady precession)",
        .make = make_top,
        .exact = exact_top},
@@ -371,7 +371,7 @@ std::vector<NamedScene> make_catalogue() {
        .time = 5,
        .duration = 30,
        .duty = Duty::stand,
-       .varied = "kick",
+       .varied = {"kick"},
        .reference = "it stands",
        .make = make_stack,
        .exact = stands},
@@ -384,7 +384,7 @@ std::vector<NamedScene> make_catalogue() {
        .time = 5,
        .duration = 30,
        .duty = Duty::stand,
-       .varied = "kick",
+       .varied = {"kick"},
        .reference = "it stands",
        .make = make_pyramid,
        .exact = stands},
@@ -401,7 +401,7 @@ std::vector<NamedScene> make_catalogue() {
        .duration = 2,
        .duty = Duty::slide,
        .keeps_energy = false,
-       .varied = "speed",
+       .varied = {"speed"},
        .reference = "closed form",
        .make = make_incline,
        .exact = exact_incline},
@@ -461,12 +461,16 @@ Problem Problem::with(std::string_view parameter, double value) const {
 
 Problem Problem::variation(int i, int seed) const {
   if (i == 0) return *this;
-  const double golden = 0.6180339887498949 * i + 0.7548776662466927 * seed, share = golden - std::floor(golden);
-  const std::string& varied = scene_->varied;
-  const double value = (*this)[varied];
-  if (varied != "kick") return with(varied, value * (0.95 + 0.1 * share));
-  const double push = value == 0 ? 0.02 : std::abs(value);
-  return with(varied, (i % 2 == 0 ? 1 : -1) * push * (0.5 + 0.5 * share));
+  Problem varied = *this;
+  double rate = 0.6180339887498949;  // of each parameter another irrational one
+  for (const std::string& name : scene_->varied) {
+    const double place = rate * i + 0.7548776662466927 * seed, share = place - std::floor(place),
+                 value = (*this)[name], push = value == 0 ? 0.02 : std::abs(value);
+    varied = varied.with(
+        name, name == "kick" ? (i % 2 == 0 ? 1 : -1) * push * (0.5 + 0.5 * share) : value * (0.95 + 0.1 * share));
+    rate = std::sqrt(1 + rate) - 1;
+  }
+  return varied;
 }
 
 const Reference& Problem::reference() const {

@@ -74,11 +74,11 @@ struct NamedScene {
   Duty duty = Duty::hold;
   bool keeps_energy = true;
   EnergyOfTruth energy = {};
-  bool keeps_spin = false;  // angular momentum about the vertical through the origin
-  std::string size = {};    // the parameter that is the length of a body; empty: `body`
-  double body = 1;          // that length where it is no parameter [m]
-  bool rests = false;       // whether a scene with Duty::keep stands still
-  std::string varied = {};  // the parameter that differs between initial conditions
+  bool keeps_spin = false;               // angular momentum about the vertical through the origin
+  std::string size = {};                 // the parameter that is the length of a body; empty: `body`
+  double body = 1;                       // that length where it is no parameter [m]
+  bool rests = false;                    // whether a scene with Duty::keep stands still
+  std::vector<std::string> varied = {};  // the parameters that differ between initial conditions
   bool chaotic = false;
   /// Instructions that the true motion from its own start took, if they count beside the runs; known after it.
   std::shared_ptr<std::atomic<double>> reference_work = {};

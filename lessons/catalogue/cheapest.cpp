@@ -156,6 +156,13 @@ class Variant {
   Candidate best_;
 };
 
+/// Passes from which a search begins. More digits come first: what they reach bounds the cost of fewer.
+std::vector<int> passes_of(const Family& family) {
+  if (family.pass.empty()) return {1};
+  if (family.pass == "digit") return {6, 4, 2, 1};
+  return {1, 2, 4, 8, 16, 64};
+}
+
 }  // namespace
 
 Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound, Spent* spent,
@@ -164,8 +171,7 @@ Candidate cheapest(const Problem& problem, const Family& family, const Wish& wis
   Variant* best = nullptr;
   double work = 0;
   for (const Cure cure : family.cures)
-    for (const int passes : {1, 2, 4, 8, 16, 64}) {
-      if (passes > (family.pass == "digit" ? 4 : family.pass.empty() ? 1 : 64)) break;
+    for (const int passes : passes_of(family)) {
       if (best && work > most_work) break;
       const double most = best && best->best().reached ? best->best().point.cost : INFINITY;
       variants.push_back(

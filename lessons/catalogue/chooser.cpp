@@ -347,8 +347,18 @@ void Choosing::tighten(const std::vector<Candidate>& kept) {
   for (const Candidate& one : kept) able.push_back(one.point.family);
   for (const std::size_t at : quick_)
     if (std::find(able.begin(), able.end(), &all_[at]) == able.end()) able.push_back(&all_[at]);
-  choice_.robust = tighter(0.5, able, 0.85 * search_.most);
-  choice_.finer = tighter(0.1, able, 0.95 * search_.most);
+  std::vector<const Family*> others;
+  for (const Candidate& one : found_)
+    if (one.point.family && one.point.outcome != Outcome::refused &&
+        std::find(able.begin(), able.end(), one.point.family) == able.end())
+      others.push_back(one.point.family);
+  // Where none of them does, all others.
+  const auto either = [&](double part, double until, double at_last) {
+    auto found = tighter(part, able, until);
+    return found || others.empty() ? found : tighter(part, others, at_last);
+  };
+  choice_.robust = either(0.5, 0.8 * search_.most, 0.85 * search_.most);
+  choice_.finer = either(0.1, 0.9 * search_.most, 0.95 * search_.most);
   if (choice_.finer && choice_.robust && choice_.finer->cost < choice_.robust->cost)
     choice_.robust = choice_.finer;
 }

@@ -53,12 +53,15 @@ double margin(const Problem& problem, const Point& point, const std::map<Error, 
   if (!(value > 0)) return NAN;
   const double most = std::min(1000.0, parameter->high / value);
   double low = 1, high = 1;
-  // In short strides: where steps are too long for a stiff scene, good bands follow bad ones.
+  // In short strides, the first of which are the shortest: where steps are too long for a stiff scene, good bands
+  // follow bad ones.
+  double stride = 1.005;
   while (holds(high)) {
     if (work > most_work) return NAN;
     low = high;
     if (high >= most) return INFINITY;
-    high = std::min(1.2 * high, most);
+    high = std::min(stride * high, most);
+    stride = std::min(1.2, 2 * stride - 1);
   }
   while (high > 1.05 * low) {
     if (work > most_work) return NAN;

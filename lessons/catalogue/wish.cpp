@@ -40,9 +40,8 @@ Point whole_run(const Problem& problem, const Family& family, const Knobs& knobs
 }
 
 double screening(const Problem& problem) {
-  const double rows = std::max(1, problem.start().degrees_of_freedom());
-  return std::clamp(problem.scene().duration * 40 / rows, std::min(4.0, problem.scene().duration),
-                    problem.scene().duration);
+  const double rows = std::max(1, problem.start().degrees_of_freedom()), duration = problem.scene().duration;
+  return std::clamp(duration * 40 / rows, std::min(std::max(4.0, problem.scene().time), duration), duration);
 }
 
 bool preferred(const Candidate& a, const Candidate& b, const Wish& wish) {

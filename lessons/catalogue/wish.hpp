@@ -39,7 +39,8 @@ double excess(const Point& point, const std::map<Error, double>& limits);
 Point whole_run(const Problem& problem, const Family& family, const Knobs& knobs, const Wish& wish,
                 bool all_errors = false);
 
-/// How long a run of a search is watched [s]: what stands only by chance is found out by the verification.
+/// How long a run of a search is watched [s], at least until errors are compared: what stands only by chance is
+/// found out by the verification.
 double screening(const Problem& problem);
 
 /// One method at its best.

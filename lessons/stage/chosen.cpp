@@ -55,6 +55,15 @@ std::vector<Answer> answers_of(const Choice& choice) {
   return answers;
 }
 
+/// "gravity differs", "first speed and gravity differ".
+std::string varied_in_words(const Request& request) {
+  const std::vector<std::string>& varied = request.problem.scene().varied;
+  std::string text;
+  for (const std::string& name : varied)
+    text += (text.empty() ? "" : " and ") + std::string(name == "speed" ? "first speed" : name);
+  return text + (varied.size() == 1 ? " differs" : " differ");
+}
+
 /// What a run gets wrong that was not asked about, by more than a tenth.
 std::string warnings_of(const Point& point, const Request& request) {
   std::string text;
@@ -93,14 +102,17 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
     page.text("The true motion is known to @ m. That counts as error of the trajectory besides.",
               Value(choice.best.point.uncertainty, 2));
   page.text(
-      "Run for @ s from @ starts (the file's own and others whose @ differs by up to a twentieth), the cheapest "
-      "kept what is asked in @. @ runs were made.",
-      Value(choice.verified.seconds, 3), choice.verified.starts,
-      request.problem.scene().varied == "speed" ? "first speed" : "gravity", choice.verified.within,
+      "Run for @ s from @ starts (the file's own and others whose @ by up to a twentieth), the cheapest "
+      "kept what is asked in @@. @ runs were made.",
+      Value(choice.verified.seconds, 3), choice.verified.starts, varied_in_words(request), choice.verified.within,
+      choice.verified.certified()
+          ? ": of such starts more than 95 % do, with 95 % confidence"
+          : course::say(", where @ would have to before 95 % of such starts are certain", certain),
       choice.spent.runs);
   if (std::isfinite(choice.margin))
     page.text(
-        "Of larger values of @, tried in strides of a fifth, the first at which it fails is @ times as large.",
+        "Of larger values of @, tried in strides of at most a fifth, the first at which it fails is @ times as "
+        "large.",
         request.problem.scene().stress == "speed" ? "the first speed" : "gravity", Value(choice.margin, 3));
   page.clocked("chosen", "Time for 1/60 s on this machine.", [=] {
     renderer::Chart chart{.y = {.label = "time (µs)"}};
@@ -163,7 +175,7 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
         Value(file.step, 3));
   page.text("**You ask:** which is the cheapest method with @?", asked_for(request));
   const auto chosen_within = [&](double seconds) {
-    Search search{.starts = 12, .most = seconds * pace, .all_errors = false};
+    Search search{.most = seconds * pace, .all_errors = false};
     search.verification = search.most / 10;
     search.enough = search.most;
     search.side_by_side = [&](int count, const std::function<void(int)>& work) {

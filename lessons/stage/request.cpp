@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "lessons/doctor/doctor.hpp"
 
@@ -78,6 +79,31 @@ Pilot watch_pilot(const SceneFile& file) {
   return pilot;
 }
 
+/// Whether no part of a scene takes or gives energy: rods, joints and springs without dampers between bodies that
+/// are at rest or free.
+template <class M>
+bool keeps_energy(const Scene<M>& scene) {
+  const Bodies<M>& bodies = scene.bodies();
+  const auto inert = [&](int place) {
+    const auto& entry = scene.entries()[place];
+    const ConstraintStore<M>& store = scene.store(entry.kind);
+    if (const auto* spring = scene.template get_if<Spring<M>>(place)) return spring->elastic.damping == 0;
+    return store.bound == Bound::none && store.position_rows == store.rows && store.softness(entry.index) == 0;
+  };
+  for (int place = 0; place < scene.count(); ++place)
+    if (!inert(place)) return false;
+  for (int body = 0; body < bodies.size(); ++body)
+    if (!moves(bodies.inverse_mass[body]) && in_motion(bodies, body)) return false;
+  const auto damped = [](const BodyForces& forces) {
+    return forces.linear_damping != 0 || forces.angular_damping != 0;
+  };
+  return scene.colliders().shapes.empty() && bodies.applied.empty() &&
+         std::none_of(bodies.forces.begin(), bodies.forces.end(), damped);
+}
+bool keeps_energy(const SceneFile& file) {
+  return std::visit([](const auto& scene) { return keeps_energy(scene); }, file.scene);
+}
+
 struct Ended {
   ExactState before, end;  // one frame apart
   double solves = 0;
@@ -91,24 +117,50 @@ Ended run(AnyScene scene, int substeps, double time) {
   return {before, {centres(scene), scene.momentum()}, static_cast<double>(scene.row_solves())};
 }
 
+double farthest_apart(const Ended& a, const Ended& b) {
+  double apart = 0;
+  for (std::size_t i = 0; i < a.end.positions.size(); ++i)
+    apart = std::max(apart, (a.end.positions[i] - b.end.positions[i]).norm());
+  return apart;
+}
+
+/// Richardson's extrapolation of two runs, of which the second has half the step and a `factor`-th of the error.
+Ended extrapolated(const Ended& coarse, const Ended& fine, double factor) {
+  Ended result = fine;
+  const auto extrapolate = [&](ExactState& to, const ExactState& from) {
+    for (std::size_t i = 0; i < to.positions.size(); ++i)
+      to.positions[i] += (to.positions[i] - from.positions[i]) / (factor - 1);
+    to.momentum += (to.momentum - from.momentum) / (factor - 1);
+  };
+  extrapolate(result.before, coarse.before);
+  extrapolate(result.end, coarse.end);
+  return result;
+}
+
 /// Where the scene is at a time and a frame before it: its steps are halved until two runs are as close as this,
-/// or cost too much [m]. `solves` are those of all runs.
+/// or cost too much [m]. `solves` are those of all runs. While the runs come closer as those of first or second
+/// order do, they are extrapolated, and two extrapolations have to be as close.
 Ended refined(const Problem& problem, double time, double close) {
   const AnyScene start = problem.start();
-  Ended coarse = run(start, 8, time);
-  coarse.before.uncertainty = coarse.end.uncertainty = INFINITY;
-  for (int substeps = 16; substeps <= 1024 && coarse.end.uncertainty > close; substeps *= 2) {
+  Ended coarse = run(start, 8, time), best = coarse;
+  std::optional<Ended> last;  // extrapolation
+  double uncertainty = INFINITY, before = INFINITY, solves = coarse.solves;
+  for (int substeps = 16; substeps <= 1024 && uncertainty > close; substeps *= 2) {
     Ended fine = run(start, substeps, time);
-    double apart = 0;
-    for (std::size_t i = 0; i < fine.end.positions.size(); ++i)
-      apart = std::max(apart, (fine.end.positions[i] - coarse.end.positions[i]).norm());
-    fine.before.uncertainty = fine.end.uncertainty = apart;
+    const double apart = farthest_apart(fine, coarse), ratio = before / apart;
+    const double factor = std::abs(ratio - 2) < 0.2 ? 2 : std::abs(ratio - 4) < 0.4 ? 4 : 0;
+    best = fine, uncertainty = apart;
+    std::optional<Ended> now;
+    if (factor > 0) now = extrapolated(coarse, fine, factor);
+    if (now && last) best = *now, uncertainty = std::max(farthest_apart(*now, *last), 0.01 * apart);
     const bool hopeless = (substeps >= 32 && apart > 0.5 * problem.size()) || 4 * fine.solves > reference_solves;
-    fine.solves += coarse.solves;
-    coarse = std::move(fine);
+    solves += fine.solves;
+    last = std::move(now), coarse = std::move(fine), before = apart;
     if (hopeless) break;
   }
-  return coarse;
+  best.before.uncertainty = best.end.uncertainty = uncertainty;
+  best.solves = solves;
+  return best;
 }
 
 /// What is known of starts, by their values.
@@ -166,7 +218,6 @@ bool asks_for_truth(const SceneFile& file) {
 
 /// The scene as a problem, of which trajectory and reaction are compared at `time` [s].
 NamedScene scene_of(const SceneFile& file, const Pilot& pilot, double time) {
-  const bool moving = begins_moving(file);
   NamedScene scene;
   scene.name = "file";
   scene.title = file.title.empty() ? "scene of this file" : file.title;
@@ -174,14 +225,15 @@ NamedScene scene_of(const SceneFile& file, const Pilot& pilot, double time) {
                       {"speed", "1", "times the first velocities of the file", 1, 0.01, 1e3}};
   scene.models = {"as in the file"};
   scene.stress = has_weight(file) ? "gravity" : "speed";
-  scene.varied = moving ? "speed" : "gravity";
+  if (begins_moving(file) || !has_weight(file)) scene.varied.push_back("speed");
+  if (has_weight(file)) scene.varied.push_back("gravity");
   scene.duration = pilot.seconds;
   scene.time = std::floor(time / frame + 1e-9) * frame;
   scene.duty = Duty::keep;
   scene.body = smallest_body(file);
   scene.rests = pilot.away < 0.1 * scene.body;
-  scene.keeps_energy = pilot.energy_change < 0.01;
-  scene.energy = pilot.energy;
+  scene.keeps_energy = pilot.energy_change < 0.01 || keeps_energy(file);
+  scene.energy = keeps_energy(file) ? EnergyOfTruth{.most = 0, .last = 0} : pilot.energy;
   scene.keeps_spin = pilot.spin_change < 1e-6;
   scene.reference = "runs whose steps are halved until two agree";
   scene.make = [file](const Problem& problem) { return scaled(file, problem["gravity"], problem["speed"]); };
@@ -216,7 +268,7 @@ Request request_of(const SceneFile& file) {
     if (error == Error::energy && !scene.keeps_energy)
       request.notes.push_back(fmt::format(
           "The file limits the change of energy, but the true motion changes it by {:.2g} % of its "
-          "scale: friction, bounces, dampers or motors do. So this limit is left out; a run whose "
+          "scale, as friction, bounces, dampers, servos and motors can. So this limit is left out; a run whose "
           "energy differs from that of the true motion by more than {:.2g} % of the scale still fails.",
           100 * pilot.energy_change, 100 * energy_astray));
     else if (!has(scene, error))
@@ -225,8 +277,8 @@ Request request_of(const SceneFile& file) {
     else if (needs_truth(error) &&
              !(request.problem.reference().uncertainty < 0.25 * (error == Error::trajectory ? limit : scene.body)))
       request.notes.push_back(fmt::format(
-          "The file limits the error of {}, but after {:.2g} s the true motion is known to {:.2g} m only: a small "
-          "disturbance grows too fast, or the scene is too large to be refined further.",
+          "The file limits the error of {}, but after {:.2g} s the true motion is known to {:.2g} m only, from "
+          "runs of up to 1024 substeps as far as those may cost. So this limit is left out.",
           name, scene.time, request.problem.reference().uncertainty));
     else
       request.limits[error] = limit;

@@ -124,9 +124,12 @@ TEST(Limit, OfLaw7IsThatOfTheHangingChain) {
   // as much.
   for (const int substeps : {2, 5, 20}) {
     const double end = 1.0 / 9.81 * 3600 * substeps * substeps * 0.98 - 9;
-    const Problem chain("chain", {{"links", 10}, {"end_mass", end}, {"angle", 0}});
+    const Problem chain("chain", {{"links", 10}, {"end_mass", end}, {"angle", 0}}, "bobs in the plane");
     EXPECT_EQ(limit_of(chain).law, 7);
     EXPECT_EQ(substeps_of_law_7(chain), substeps);
+    // Of pinned rods at a third of that tension.
+    const Problem rods("chain", {{"links", 10}, {"end_mass", (end - 18) / 3}, {"angle", 0}});
+    EXPECT_EQ(substeps_of_law_7(rods), substeps);
     const double heaviest = laws::heaviest_end({.links = 10, .substeps = substeps});
     EXPECT_GT(heaviest, 0.97 * end);
     EXPECT_LT(heaviest, 2 * end);

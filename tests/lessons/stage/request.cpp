@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace byhand::stage {
@@ -56,6 +57,54 @@ TEST(Request, KnowsTheTrueMotion) {
     for (std::size_t i = 0; i < found.positions.size(); ++i)
       EXPECT_LE((found.positions[i] - exact.positions[i]).norm(), 1.5 * found.uncertainty + 1e-9) << name;
   }
+}
+
+/// A bob of 1 kg that hangs on a spring of 400 N/m, stretched by 10 cm, of so much damping [N s/m].
+SceneFile bob_on_a_spring(double damping) {
+  SceneFile file = read_scene(R"({"model": "plane particles", "gravity": [0, -9.81], "step": 0.0166, "duration": 2,
+      "bodies": [{"fixed": true, "position": [0, 0]}, {"mass": 1, "position": [0, -1.1]}],
+      "constraints": [{"kind": "spring", "bodies": [0, 1], "length": 1, "stiffness": 400, "damping": )" +
+                              std::to_string(damping) + "}]}");
+  file.accuracy = {{"energy", 0.01}, {"trajectory", 1e-4}};
+  return file;
+}
+
+// Steps of first order, extrapolated: y = -1 - g/ω² - (0.1 - g/ω²) e^-ζωt (cos ω't + ζω/ω' sin ω't).
+TEST(Request, KnowsHowASpringSwings) {
+  for (const double damping : {0.0, 2.0}) {
+    const Request request = request_of(bob_on_a_spring(damping));
+    const double sag = 9.81 / 400, decay = damping / 2, rate = std::sqrt(400 - decay * decay),
+                 t = request.problem.compared_at();
+    const double exact =
+        -1 - sag - (0.1 - sag) * std::exp(-decay * t) * (std::cos(rate * t) + decay / rate * std::sin(rate * t));
+    EXPECT_NEAR(t, 2, 1e-9) << damping;
+    EXPECT_LT(request.problem.reference().uncertainty, 1e-5) << damping;
+    EXPECT_NEAR(request.problem.reference().positions[0].y(), exact, 1e-5) << damping;
+    EXPECT_TRUE(request.limits.contains(Error::trajectory)) << damping;
+  }
+}
+
+// A fine run of first order damps a spring. What keeps energy by its parts keeps it all the same.
+TEST(Request, LimitsTheEnergyOfWhatTakesNone) {
+  EXPECT_TRUE(request_of(bob_on_a_spring(0)).limits.contains(Error::energy));
+  const Request damped = request_of(bob_on_a_spring(2));
+  EXPECT_FALSE(damped.limits.contains(Error::energy));
+  EXPECT_THAT(damped.notes.at(0), HasSubstr("dampers"));
+}
+
+// What moves and has weight starts with another speed and another weight, neither told by the other.
+TEST(Request, VariesSpeedAndGravityOfWhatMoves) {
+  const Problem thrown = request_of(course_scene("incline")).problem,
+                hung = request_of(course_scene("chain")).problem;
+  std::set<double> sums;
+  for (int i = 1; i <= 20; ++i) {
+    const double speed = thrown.variation(i)["speed"], gravity = thrown.variation(i)["gravity"];
+    EXPECT_NEAR(speed, 1, 0.05);
+    EXPECT_NEAR(gravity, 1, 0.05);
+    sums.insert(std::round(1e6 * (speed - gravity)));
+    EXPECT_EQ(hung.variation(i)["speed"], 1);
+  }
+  EXPECT_EQ(sums.size(), 20U);
 }
 
 // From another first speed a motor gives another energy than from the file's own.
