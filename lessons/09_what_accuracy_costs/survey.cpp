@@ -9,7 +9,8 @@
 namespace byhand::accuracy {
 namespace {
 
-constexpr int may_miss = starts - static_cast<int>(kept_share * starts), starts_at_once = 6;
+constexpr int may_miss = starts - static_cast<int>(kept_share * starts), starts_at_once = 4;
+static_assert(starts % starts_at_once == 0);
 
 }  // namespace
 
@@ -52,12 +53,12 @@ bool kept(const course::Page& page, const Survey& survey, const byhand::Point& p
     return std::count_if(runs.begin(), runs.end(),
                          [&](const byhand::Point& run) { return !run.has(error) || run[error] > at_most; });
   };
-  // Few at a time: most choices that do not keep the error miss it in the first runs.
+  // Few at a time: most choices that do not keep the error miss it at once.
   while (missed() <= may_miss && std::ssize(runs) < starts) {
-    const int first = static_cast<int>(runs.size());
-    const int count = first == 0 ? may_miss + 1 : std::min(starts_at_once, starts - first);
-    const auto more = page.side_by_side(
-        count, [&](int i) { return measure(problems[first + i], *point.family, point.knobs, watch); });
+    const auto first = runs.size();
+    const auto more = page.side_by_side(starts_at_once, [&](int i) {
+      return measure(problems[first + static_cast<std::size_t>(i)], *point.family, point.knobs, watch);
+    });
     runs.insert(runs.end(), more.begin(), more.end());
   }
   return missed() <= may_miss;
