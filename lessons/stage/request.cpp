@@ -232,8 +232,9 @@ NamedScene scene_of(const SceneFile& file, const Pilot& pilot, double time) {
   scene.duty = Duty::keep;
   scene.body = smallest_body(file);
   scene.rests = pilot.away < 0.1 * scene.body;
-  scene.keeps_energy = pilot.energy_change < 0.01 || keeps_energy(file);
-  scene.energy = keeps_energy(file) ? EnergyOfTruth{.most = 0, .last = 0} : pilot.energy;
+  const bool by_its_parts = keeps_energy(file);
+  scene.keeps_energy = by_its_parts || pilot.energy_change < 0.01;
+  scene.energy = by_its_parts ? EnergyOfTruth{.most = 0, .last = 0} : pilot.energy;
   scene.keeps_spin = pilot.spin_change < 1e-6;
   scene.reference = "runs whose steps are halved until two agree";
   scene.make = [file](const Problem& problem) { return scaled(file, problem["gravity"], problem["speed"]); };
