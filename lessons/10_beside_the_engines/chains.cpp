@@ -350,21 +350,20 @@ namespace {
 /// Of an articulation that fails as shipped: with the friction that its joints ship with, which is off here.
 template <class M>
 void with_friction(Page& page, const std::vector<Outcomes<Hung>>& outcomes, const Scene<M>& scene, int frames) {
-  for (const Outcomes<Hung>& one : outcomes) {
-    if (one.name != "PhysX articulation" || std::isfinite(one.by_setting[0].gap)) continue;
-    const std::vector<Engine> all = members(Party::webassembly);
-    const auto engine = std::find_if(all.begin(), all.end(), [&](const Engine& e) { return e.name == one.name; });
-    const Hung hung =
-        hang<M>(engines::contestant<M>(*engine, {.knobs = {{"joint friction", 0.05}}}), scene, frames);
-    const Quantity gap("gap with friction", hung.gap);
-    page.text("@", page.verdict(
-                       {{.when = gap < 1,
-                         .say = say("With the friction of 0.05 that PhysX ships its articulations' joints with it "
-                                    "holds: a gap of @, and @ of the energy.",
-                                    in_millimetres(hung.gap), in_per_cent(hung.gained))},
-                        {.when = gap >= 1,
-                         .say = "With the friction of 0.05 that PhysX ships its joints with it fails as well."}}));
-  }
+  const auto is_it = [](const auto& one) { return one.name == "PhysX articulation"; };
+  const auto shipped = std::find_if(outcomes.begin(), outcomes.end(), is_it);
+  if (shipped == outcomes.end() || std::isfinite(shipped->by_setting[0].gap)) return;
+  const std::vector<Engine> all = members(Party::webassembly);
+  const Engine& engine = *std::find_if(all.begin(), all.end(), is_it);
+  const Hung hung = hang<M>(engines::contestant<M>(engine, {.knobs = {{"joint friction", 0.05}}}), scene, frames);
+  const Quantity gap("gap with friction", hung.gap);
+  page.text("@", page.verdict(
+                     {{.when = gap < 1,
+                       .say = say("With the friction of 0.05 that PhysX ships its articulations' joints with it "
+                                  "holds: a gap of @, and @ of the energy.",
+                                  in_millimetres(hung.gap), in_per_cent(hung.gained))},
+                      {.when = gap >= 1,
+                       .say = "With the friction of 0.05 that PhysX ships its joints with it fails as well."}}));
 }
 
 template <class M>
