@@ -134,28 +134,32 @@ std::vector<std::string> head_of_energies() {
 void by_law_7(Page& page, const Scene<PlaneBody>& scene, int links, double end_mass, int frames) {
   const Quantity limit("law 7's limit of pinned rods", laws::limit_of_rods);
   std::vector<std::vector<std::string>> rows;
-  double least_torn = INFINITY, most_held = 0;
+  std::vector<double> torn, held;
   for (const int substeps : {1, 2, 4, 8}) {
     const engines::Setting setting{.knobs = {{"substeps", substeps}}};
     const double
         number = number_of_law_7(links, end_mass) / (substeps * substeps),
         gap = hang<PlaneBody>(engines::contestant<PlaneBody>(engines::this_course(), setting), scene, frames).gap;
-    std::isfinite(gap) ? most_held = std::max(most_held, number) : least_torn = std::min(least_torn, number);
+    (std::isfinite(gap) ? held : torn).push_back(number);
     rows.push_back({std::to_string(substeps), say("@", Value(number, 2)), in_millimetres(gap)});
   }
   page.text(
       R"(If the chain swings as one rod, its links' weight counted, T h²/(m l) at the top and at the lowest point is, for
       this course's substeps:)");
   page.table({"substeps", "T h²/(m l)", "largest gap"}, rows);
-  const Quantity torn("the least that tears", least_torn), held("the most that holds", most_held);
+  const Quantity tear("how many of them tear", static_cast<double>(torn.size())),
+      hold("how many of them hold", static_cast<double>(held.size())),
+      least("the least that tears", torn.empty() ? 0 : *std::ranges::min_element(torn)),
+      most("the most that holds", held.empty() ? 0 : *std::ranges::max_element(held));
   page.text("@ @",
-            page.verdict({{.when = torn >= INFINITY, .say = "With none of them it tears."},
-                          {.when = torn > limit, .say = "What tears is beyond law 7's third."},
-                          {.when = torn <= limit,
+            page.verdict({{.when = tear < 1, .say = "With none of them it tears."},
+                          {.when = least > limit, .say = "What tears is beyond law 7's third."},
+                          {.when = least <= limit,
                            .say = "It tears below law 7's third, too, which takes the chain for one rod."}}),
-            page.verdict(
-                {{.when = held <= limit, .say = "What holds is below it."},
-                 {.when = held > limit, .say = say("Yet with @ it holds beyond a third.", Value(most_held, 2))}}));
+            page.verdict({{.when = hold < 1, .say = "With none of them it holds."},
+                          {.when = most <= limit, .say = "What holds is below it."},
+                          {.when = most > limit,
+                           .say = say("Yet with @ it holds beyond a third.", Value(most.value, 2))}}));
 }
 
 /// pinned_tree with the inertia of thin rods: links of 1 kg and about 1 m.
