@@ -19,7 +19,7 @@ class Ode : public World<M> {
     static const bool begun = dInitODE2(0) != 0;
     if (!begun) throw std::runtime_error("ODE could not be initialised");
     dSetMessageHandler([](int, const char*, va_list) {});  // it warns on standard error
-    dRandSetSeed(1);                                       // QuickStep sweeps in random order
+    dRandSetSeed(static_cast<unsigned long>(knobs.value("seed", 1)));
     world_ = dWorldCreate();
     space_ = dHashSpaceCreate(nullptr);
     touching_ = dJointGroupCreate(0);

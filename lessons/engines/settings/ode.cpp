@@ -1,7 +1,8 @@
 #include "lessons/engines/settings.hpp"
 
 // The Open Dynamics Engine. Knobs: ERP (0.2), the share of an error that a step takes back; CFM (1e-10), the
-// softness of a row; layer [m] (0), the overlap that a contact may keep; of QuickStep iterations (20).
+// softness of a row; layer [m] (0), the overlap that a contact may keep; of QuickStep iterations (20) and the seed
+// (1) of the random order of its rows.
 namespace byhand::engines {
 namespace {
 
