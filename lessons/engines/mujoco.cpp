@@ -97,8 +97,9 @@ void add_mujoco(std::vector<Engine>& all) {
                  .settings = mujoco_settings(),
                  .refusal = [](const Asked& asked) -> std::string {
                    constexpr int most_boxes = 1;  // later versions take a fourteenth of the time for contacts
-                   return asked.boxes > most_boxes ? "compared in WebAssembly: contacts are slow in this version"
-                                                   : mujoco_refusal(asked);
+                   return asked.boxes > most_boxes
+                              ? "contacts are slow in this version; pyramids are compared in WebAssembly"
+                              : mujoco_refusal(asked);
                  },
                  .in_plane = build<PlaneBody>,
                  .in_space = build<SpaceBody>});

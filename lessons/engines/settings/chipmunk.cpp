@@ -1,19 +1,14 @@
 #include "lessons/engines/settings.hpp"
 
-// Chipmunk. Knobs: iterations (10); slop [m] (0.1); joint bias and collision bias, the share of an error that a
-// sixtieth of a second takes back (0.1). Its slop is meant for lengths in pixels; cpSpace.h asks for as much as
-// does not show, which among boxes of 1 m is half a centimetre.
+// Chipmunk. Knobs: iterations (10); slop [m] (0.1), which is meant for lengths in pixels; joint bias and collision
+// bias, the share of an error that a sixtieth of a second takes back (0.1).
 namespace byhand::engines {
 
 Settings chipmunk_settings() {
-  Settings all{.joints = {{},
-                          {.row = Row::advised,
-                           .knobs = {{"iterations", 20}},
-                           .source = "manual, cpSpace, Iterations: each makes the solution more accurate"}},
-               .contacts = {{},
-                            {.row = Row::advised,
-                             .knobs = {{"iterations", 20}, {"slop", 0.005}},
-                             .source = "cpSpace.h: as much slop as does not show"}}};
+  const Setting advised{.row = Row::advised,
+                        .knobs = {{"iterations", 20}},
+                        .source = "manual, cpSpace, Iterations: each makes the solution more accurate"};
+  Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
   for (const double bias : {0.1, 0.5}) {
     for (const auto& [steps, iterations] : shares_of_joints())
       all.joints.push_back(

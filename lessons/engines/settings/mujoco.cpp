@@ -24,6 +24,8 @@ Settings mujoco_settings() {
   for (const double ratio : {100.0, 1000.0})
     for (const int steps : contact_steps)
       all.contacts.push_back({.row = Row::tuned, .knobs = {{"elliptic", 1}, {"impratio", ratio}}, .steps = steps});
+  for (const int steps : contact_steps)
+    all.contacts.push_back({.row = Row::tuned, .knobs = {{"solref", 2.0 / (60 * steps)}}, .steps = steps});
   return all;
 }
 
