@@ -192,7 +192,7 @@ void stiffer_by_hertz(Page& page, const std::string& name, const Scene<M>& scene
   const double power = std::log(with / first) / std::log(32.0 / 4);
   page.text(
       R"(The joints of @ are springs of a given frequency, 60 Hz as shipped, capped at a quarter of the substep rate.
-      So from four substeps on more of them alone take off @ of the gap, and the frequency has to be turned up with them. A spring of frequency ω yields by
+      So from four substeps to 32 more of them alone take off @ of the gap in a second, and the frequency has to be turned up with them. A spring of frequency ω yields by
       F/mω²: the gap after a second should go as 1/hertz², and goes as hertz to the power of @.)",
       name,
       page.verdict({{.when = Quantity("gap with 32 substeps over that with 4", alone / first) > 0.9,
@@ -215,7 +215,8 @@ void chains(const Setting& setting, Page& page) {
   page.text(
       R"(A chain of @ pinned links of 1 m and 1 kg, the last of @ kg, is held level and let go. A
       sweep against the order of its rows passes the force that holds the chain on by one link, so from λ = 0 it takes
-      a sweep per link, and more with a heavy end (lesson 3); a direct solve or joint coordinates take one pass. A step too long for the pull tears the chain (lesson 8, law 7). So it is watched for @ s, long enough for the
+      a sweep per link, and more with a heavy end (lesson 3); a direct solve or joint coordinates take one pass. On velocities alone a step too long for the pull tears the chain, however exact it is (lesson 8, law 7); a correction
+      of positions with new Jacobians can hold it all the same. So it is watched for @ s, long enough for the
       load to pass its lowest point. The gap is that of the worst pin. A run has
       failed if a pin opens by a whole link, or if the chain gains more energy than it could by falling its whole
       length.)",
@@ -364,8 +365,9 @@ void with_friction(Page& page, const std::vector<Outcomes<Hung>>& outcomes, cons
   page.text("@", page.verdict(
                      {{.when = gap < 1,
                        .say = say("With the friction of 0.05 that PhysX ships its articulations' joints with it "
-                                  "holds: a gap of @, and @ of the energy.",
-                                  in_millimetres(hung.gap), in_per_cent(hung.gained))},
+                                  "holds: a gap of @, and it @ @ of the energy.",
+                                  in_millimetres(hung.gap), hung.gained < 0 ? "loses" : "gains",
+                                  in_per_cent(std::abs(hung.gained)))},
                       {.when = gap >= 1,
                        .say = "With the friction of 0.05 that PhysX ships its joints with it fails as well."}}));
 }

@@ -42,7 +42,7 @@ template <class M>
 Field<M> field_of(const Scene<M>& scene, Kind kind, From from, double most_work, Party party) {
   const std::vector<Engine> all = members(party);
   if (all.size() < 2) most_work = 0;  // nobody to be best against
-  Field<M> field{.party = party, .entrants = {}};
+  Field<M> field{.party = party, .most_work = most_work, .entrants = {}};
   for (const Engine& engine : all)
     if (why_not(engine, scene, from).empty()) field.entrants.push_back(entrant_of<M>(engine, kind, most_work));
   return field;
@@ -81,7 +81,7 @@ void tell_three(Page& page, const Field<M>& field, const std::vector<Errors>& al
     for (auto& row : rows) row.resize(shipped_and_advised);
   }
   page.table(head, rows);
-  if (const std::string verdicts = judged(page, all, unit); !verdicts.empty()) page.text("@", verdicts);
+  if (const std::string verdicts = judged(page, field, all, unit); !verdicts.empty()) page.text("@", verdicts);
 }
 
 namespace {
@@ -274,11 +274,16 @@ double deepest_overlap(const Scene<M>& scene) {
   return position_error(scene, contacts).max;
 }
 
-std::string judged(Page& page, const std::vector<Errors>& all, Unit unit, const std::string& what) {
+template <class M>
+std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
+                   const std::string& what) {
   if (all.size() < 2) return "";
   std::string words;
-  const std::pair<const char*, double (Errors::*)() const> rows[] = {
-      {"As shipped,", &Errors::shipped}, {"As advised,", &Errors::advised}, {"At their best,", &Errors::best}};
+  const std::string best = std::isfinite(field.most_work)
+                               ? say("At their best of up to @ iterations a frame,", field.most_work)
+                               : std::string("At their best,");
+  const std::pair<std::string, double (Errors::*)() const> rows[] = {
+      {"As shipped,", &Errors::shipped}, {"As advised,", &Errors::advised}, {best, &Errors::best}};
   for (const auto& [name, number] : rows) {
     const double own = told((all[0].*number)());
     double worst_ahead = 0, worst_level = 0, least = INFINITY, ends = margin;
@@ -326,6 +331,7 @@ std::string judged(Page& page, const std::vector<Errors>& all, Unit unit, const 
   template std::string why_not(const Engine&, const Scene<M>&, From);                                           \
   template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, Unit); \
   template void tell_three(Page&, const Field<M>&, const std::vector<Errors>&, Unit);                           \
+  template std::string judged(Page&, const Field<M>&, const std::vector<Errors>&, Unit, const std::string&);    \
   template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Timed<M>&, const std::string&, \
                               Unit);                                                                            \
   template double deepest_overlap(const Scene<M>&)

@@ -39,6 +39,7 @@ enum class Party { native, webassembly };
 template <class M>
 struct Field {
   Party party = Party::native;
+  double most_work = INFINITY;  // iterations a frame of the settings that are tried
   std::vector<Entrant<M>> entrants;
 };
 
@@ -180,7 +181,9 @@ inline bool alone() { return engines::all_engines().empty(); }
 
 /// Who has less error than the course, by more than a hundredth and the margin: a verdict for each row; "" of the
 /// course alone. `what` is compared.
-std::string judged(Page& page, const std::vector<Errors>& all, Unit unit, const std::string& what = "error");
+template <class M>
+std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
+                   const std::string& what = "error");
 
 /// The overlap of shapes that is deepest [m].
 template <class M>

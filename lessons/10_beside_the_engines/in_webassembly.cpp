@@ -9,7 +9,7 @@ void in_webassembly(const Setting& setting, Page& page) {
   const auto& all = engines::engines_in_webassembly();
   page.text(
       R"(PhysX, Jolt, Rapier and a later MuJoCo come from npm, compiled to WebAssembly. Node runs them, and beside them this course, compiled
-      to WebAssembly as well.)");
+      to WebAssembly as well. Rapier's multibody joints are not tried.)");
   std::string names;
   for (const std::string& name : engines::missing_in_webassembly()) names += (names.empty() ? "" : ", ") + name;
   if (!names.empty())

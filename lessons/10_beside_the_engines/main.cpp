@@ -40,12 +40,13 @@ int main(int argc, char** argv) {
   } else {
     known.emplace_back(
         "Most engines' defaults are chosen for speed (few steps, few iterations) and calm (an overlap that is "
-        "left). Each is a "
-        "term of its error that you can compute.");
+        "left). Each is a term of its error.");
     known.emplace_back(
-        "A load on a chain needs a direct solve, coordinates that cannot part, or many short steps; a tall stack "
+        "What holds a load on a chain: coordinates that cannot part, many short steps, or a correction of "
+        "positions with "
+        "new Jacobians; on velocities alone an exact solve fails, too, where the step is too long. A tall stack "
         "needs "
-        "many iterations, a direct solve, or contacts that give way.");
+        "many iterations, short steps, a direct solve, or contacts that give way.");
     const auto soft = [](const auto& engine) { return engine.name == "Box2D 3" || engine.name == "Box3D"; };
     if (std::any_of(engines::all_engines().begin(), engines::all_engines().end(), soft))
       known.emplace_back(

@@ -7,10 +7,10 @@
 namespace byhand::beside {
 namespace {
 
-constexpr int stack_frames = 600, timed_stack_frames = 120;  // 10 s, 2 s
-constexpr double offset = 0.02;                              // of a box, to either side in turns [m]
-constexpr double stack_kick = 0.02;                          // of the top [m/s]
-constexpr int tallest = 30;                                  // boxes
+constexpr int stack_frames = 600;    // 10 s
+constexpr double offset = 0.02;      // of a box, to either side in turns [m]
+constexpr double stack_kick = 0.02;  // of the top [m/s]
+constexpr int tallest = 30;          // boxes
 
 template <class M>
 Scene<M> shifted_stack(int boxes) {
@@ -115,12 +115,13 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
                     {.when = Quantity("fallen", static_cast<double>(down)) >= 1,
                      .say = say("In this course @ of @ fall.", down, ours.size())}});
   const std::string fate_of_theirs =
-      theirs == 0
-          ? std::string()
-          : " " + page.verdict({{.when = Quantity("fallen", fallen) >= 1,
-                                 .say = say("Of the @ runs of the engines @ end in a fall.", theirs, fallen)},
-                                {.when = Quantity("fallen", fallen) < 1,
-                                 .say = say("Of the @ runs of the engines none ends in a fall.", theirs)}});
+      theirs == 0 ? std::string()
+                  : " " + page.verdict({{.when = Quantity("fallen", fallen) >= 1,
+                                         .say = say("Of the @ runs of the engines @ fall within @ s.", theirs,
+                                                    fallen, stack_frames * frame)},
+                                        {.when = Quantity("fallen", fallen) < 1,
+                                         .say = say("Of the @ runs of the engines none falls within @ s.", theirs,
+                                                    stack_frames * frame)}});
   double most = 0;
   for (const Standing& one : ours) most = std::max({most, one.lean, std::abs(one.sag)});
   if (alone() && down == 0) {
@@ -140,14 +141,12 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
         would rock on its edge by v²H/3gw = @: what leans less has lost energy.)",
         most_of_contacts, in_millimetres(stack_kick * stack_kick * tallest / (3 * gravity)));
     page.table(head_of_three_rows, three_rows<M>(field, leans, Unit::metres));
-    page.text("@", judged(page, leans, Unit::metres, "lean"));
+    page.text("@", judged(page, field, leans, Unit::metres, "lean"));
   }
   compare_by_time(page, figure,
-                  say("The kicked stack of 30: how far its top leans within 10 s, and the mean time of @ frames "
-                      "from the kick on.",
-                      timed_stack_frames),
+                  "The kicked stack of 30: how far its top leans within 10 s, and the mean time of their frames.",
                   leans, [=, scene = tries.back().scene] {
-                    const Timed<M> timed{scene, timed_stack_frames, kicked_at_rest<M>(stack_kick)};
+                    const Timed<M> timed{scene, stack_frames, kicked_at_rest<M>(stack_kick)};
                     return against_time(field, leans, timed, "lean");
                   });
   double leant = 0;

@@ -133,10 +133,10 @@ void the_engines(const Setting& setting, Page& page) {
   page.text(
       R"(Semismooth Newton solves for all impulses at once, and again with other bounds active until none changes.
       *As shipped*: only what must be set is set, and switched off is what would take energy that the scenes do not lose:
-      damping, friction of joints, limits of speed. *As its manual advises*: the knob that a source of its makers names is
+      damping, friction of joints and, where an engine lets it, limits of speed. *As its manual advises*: the knob that a source of its makers names is
       turned the way it says, to its number or, where it gives none, to one of our choice: twice the iterations, substeps
-      or, of ODE's chain, steps, half a centimetre of Chipmunk's slop, ten times MuJoCo's friction, four times this
-      course's substeps and a tenth of its tolerance. Both stand in `lessons/engines/settings/` (for this
+      or, of ODE's chain, steps, ten times MuJoCo's impratio, which its manual advises against slip, four times this course's
+      substeps and a tenth of its tolerance. Both stand in `lessons/engines/settings/` (for this
       course the source is its lessons 8 and 9).)");
   if (!alone())
     page.text(
@@ -153,7 +153,7 @@ void the_engines(const Setting& setting, Page& page) {
         most_of_a_pendulum, most_in_space, most_of_contacts, most_of_a_wall_in_space);
   if (const auto out = left_out(setting, Party::native); !out.empty()) page.table(head_of_left_out, out);
   page.text(
-      R"(An adapter that gave an engine the wrong inertia would make the engine look wrong. So each is first tested on
+      R"(An adapter that gave an engine the wrong inertia would make the engine look wrong. So each that this program holds is first tested on
       what every engine must get right: free fall, and a rod on a pin that turns in the plane, whose angle is an elliptic
       integral; an inertia about this axis that is off by one in a hundred would show.)");
 

@@ -47,8 +47,9 @@ struct Seconds {
   double least = 0, most = 0;
 };
 
-/// Those of each contestant, the mean of so many frames after the start in each round. The contestants take turns,
-/// so that what else the machine does troubles all alike. Building and the start are not timed.
+/// Those of each contestant, the mean of so many frames after the start in each round, which lasts a millisecond
+/// at least. The contestants take turns, so that what else the machine does troubles all alike. Building and the
+/// start are not timed.
 template <class M>
 std::vector<Seconds> seconds_a_frame(const Start<M>& start, const std::vector<Contestant<M>>& contestants,
                                      const Scene<M>& scene, int frames, int rounds);
