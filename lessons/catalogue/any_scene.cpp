@@ -169,6 +169,7 @@ Effort AnyScene::effort() const {
         [&](const StepWork<M>& work) {
           effort.row_solves = work.row_solves - work.executed.projected_rows;
           effort.executed = work.executed;
+          if constexpr (M::angular > 0) effort.computed_pairs = work.contacts.computed();
         },
         running.work);
     if (const auto* work = std::get_if<AnyStepping::Work<M>>(&running.work))
@@ -280,16 +281,18 @@ int AnyScene::degrees_of_freedom() const {
 
 RowKind AnyScene::row_kind() const {
   return read([]<class M>(const Scene<M>& scene) {
-    // Rows with bounds are solved as contacts are.
-    const bool pinned = !scene.template all<Pin>().empty(), bounded = scene.bounded(),
-               touching = !scene.colliders().shapes.empty();
-    if (M::linear == 3)
-      return M::angular == 0       ? RowKind::bobs_in_space
-             : touching || bounded ? RowKind::boxes_in_space
-             : pinned              ? RowKind::links_in_space
-                                   : RowKind::balls_in_space;
-    if (M::angular == 0) return RowKind::bobs;
-    return pinned && !bounded ? RowKind::links : touching || bounded ? RowKind::boxes : RowKind::balls;
+    using enum RowKind;
+    const auto kind = [](RowKind plane, RowKind space) { return M::linear == 2 ? plane : space; };
+    const bool bounded = scene.bounded(), touching = !scene.colliders().shapes.empty(),
+               free = scene.count() == 0 && !touching;
+    if (M::angular == 0)
+      return free      ? kind(free_bobs, free_bobs_in_space)
+             : bounded ? kind(ropes, ropes_in_space)
+                       : kind(bobs, bobs_in_space);
+    if (free) return kind(free_bodies, free_bodies_in_space);
+    if (touching) return kind(boxes, boxes_in_space);
+    if (bounded) return kind(machines, machines_in_space);
+    return scene.template all<Pin>().empty() ? kind(balls, balls_in_space) : kind(links, links_in_space);
   });
 }
 

@@ -19,15 +19,34 @@ struct Placement {
 struct Effort {
   long long row_solves = 0;  // uses of (17) and (20); a direct solve counts as those of as many multiplications
   Executed executed;
-  long long planned = 0;       // operations of a direct solver's plans, whenever its rows are laid out anew
-  long long written_rows = 0;  // once in each substep
-  long long bodies = 0;        // moved: once in each substep
-  long long contacts = 0;      // rows of contacts, found once in each step
+  long long planned = 0;         // operations of a direct solver's plans, whenever its rows are laid out anew
+  long long written_rows = 0;    // once in each substep
+  long long bodies = 0;          // moved: once in each substep
+  long long contacts = 0;        // rows of contacts, found once in each step
+  long long computed_pairs = 0;  // whose contact was computed, as their bodies had moved
   long long substeps = 0, steps = 0;
 };
 
-/// What a scene's rows act on; a scene of the catalogue has one kind.
-enum class RowKind { bobs, balls, links, boxes, bobs_in_space, balls_in_space, links_in_space, boxes_in_space };
+/// What a scene's rows act on, for their prices. Free bobs and bodies are held by nothing; ropes are rows with
+/// bounds between bobs; machines have a motor, a servo or a limit among their joints; boxes touch.
+enum class RowKind {
+  free_bobs,
+  free_bodies,
+  bobs,
+  ropes,
+  balls,
+  links,
+  machines,
+  boxes,
+  free_bobs_in_space,
+  free_bodies_in_space,
+  bobs_in_space,
+  ropes_in_space,
+  balls_in_space,
+  links_in_space,
+  machines_in_space,
+  boxes_in_space
+};
 
 /// A scene of any model with any method, for programs that choose both as they run. A value: a copy is a way back.
 class AnyScene {

@@ -13,7 +13,7 @@ namespace byhand {
 /// Instructions that one of each count of an Effort takes.
 struct Prices {
   double row_solve = 0, laid_out_row = 0, solve = 0, pass = 0, prepared_row = 0, projected_row = 0,
-         written_row = 0, body = 0, contact = 0, substep = 0, step = 0, planned = 0;
+         written_row = 0, body = 0, contact = 0, substep = 0, step = 0, planned = 0, computed_pair = 0;
 };
 Prices operator+(const Prices& a, const Prices& b);
 

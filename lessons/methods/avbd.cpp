@@ -209,8 +209,11 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
   for (int i = 0; i < bodies.size(); ++i) work.free[i].position += h * h * gravity_on(bodies, i, scene.gravity);
   for (int i = 0; i < method.iterations; ++i) {
     std::size_t next = 0;
-    for (int body = 0; body < bodies.size(); ++body)
-      if (moves(bodies.inverse_mass[body])) descend(scene, body, bodies, next, work);
+    for (int body = 0; body < bodies.size(); ++body) {
+      if (!moves(bodies.inverse_mass[body])) continue;
+      descend(scene, body, bodies, next, work);
+      ++work.executed.solves;
+    }
     for_each_block(work.system, [&](const auto& block, const Run& run) {
       update_rows(scene.store(run, work.contacts.constraints()), method, block, bodies, work);
     });

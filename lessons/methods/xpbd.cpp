@@ -75,6 +75,7 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
     }
     end_substep(scene, h, work);
     work.row_solves += static_cast<long long>(method.iterations) * work.system.rows();
+    work.executed.passes += method.iterations;
   }
   work.contacts.read_impulses(work.system);
   attempt.finish();

@@ -199,21 +199,20 @@ bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged) {
 template <class M>
 void ContactManager<M>::search(const Scene<M>& scene, double time) {
   const auto& masses = scene.bodies().inverse_mass;
-  const auto& stamps = scene.colliders().stamps;
-  const auto& layers = scene.colliders().layers;
+  const Colliders<M>& colliders = scene.colliders();
   found_.clear();
   auto before = pairs_.begin();
   for (const BodyPair& bodies : broad_phase_.overlapping(bounds_)) {
     const auto& [i, j] = bodies;
-    if ((!moves(masses[i]) && !moves(masses[j])) || !meet(layers[i], layers[j])) continue;
+    if ((!moves(masses[i]) && !moves(masses[j])) || !meet(colliders.layers[i], colliders.layers[j])) continue;
     if (std::binary_search(joined_.begin(), joined_.end(), bodies)) continue;
     while (before != pairs_.end() && before->bodies < bodies) ++before;
-    const bool cached =
-        before != pairs_.end() && before->bodies == bodies && before->stamps == std::array{stamps[i], stamps[j]};
+    const bool cached = before != pairs_.end() && before->bodies == bodies &&
+                        before->stamps == std::array{colliders.stamps[i], colliders.stamps[j]};
     if (cached && !moved_[i] && !moved_[j])
       found_.push_back(*before);
     else
-      collide(scene, bodies, scene.colliders().margin, time, cached ? &*before : nullptr);
+      collide(scene, bodies, colliders.margin, time, cached ? &*before : nullptr);
   }
   inner_edges_.drop(scene, found_);
 }
@@ -224,8 +223,8 @@ void ContactManager<M>::search(const Scene<M>& scene, double time) {
 template <class M>
 void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, double margin, double time,
                                 const Pair* before) {
-  const auto& surfaces = scene.colliders().surfaces;
-  const auto& stamps = scene.colliders().stamps;
+  ++computed_;
+  const Colliders<M>& colliders = scene.colliders();
   const auto [body1, body2] = bodies;
   const Mover<M> first = mover(scene, body1), second = mover(scene, body2);
   const double way = time * approach(first, second);
@@ -242,13 +241,13 @@ void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, d
   if (std::none_of(manifold.begin(), manifold.end(), comes_near)) return;
   Pair& pair = found_.emplace_back();
   pair.bodies = bodies;
-  pair.stamps = {stamps[body1], stamps[body2]};
+  pair.stamps = {colliders.stamps[body1], colliders.stamps[body2]};
   pair.size = 0;
   pair.reference = manifold.reference;
-  pair.one_manifold = scene.colliders().rows == ContactRows::manifold;
+  pair.one_manifold = colliders.rows == ContactRows::manifold;
   pair.round = std::holds_alternative<Ball<M>>(first.shape) || std::holds_alternative<Ball<M>>(second.shape);
-  pair.friction = std::sqrt(surfaces[body1].friction * surfaces[body2].friction);
-  pair.restitution = std::max(surfaces[body1].restitution, surfaces[body2].restitution);
+  pair.friction = std::sqrt(colliders.surfaces[body1].friction * colliders.surfaces[body2].friction);
+  pair.restitution = std::max(colliders.surfaces[body1].restitution, colliders.surfaces[body2].restitution);
   pair.normal = manifold.normal;
   for (const ContactPoint<M>& point : manifold)
     if (comes_near(point))

@@ -99,6 +99,7 @@ class ContactManager {
   const std::vector<ContactPair<M>>& pairs() const { return pairs_; }
   const std::vector<BodyPair>& pressed() const { return pressed_; }
   const std::vector<BodyPair>& pressed_before() const { return pressed_before_; }
+  long long computed() const { return computed_; }  // contacts of pairs, in all
 
  private:
   using Pair = ContactPair<M>;
@@ -115,19 +116,18 @@ class ContactManager {
 
   SweepAndPrune<M::linear> broad_phase_;
   InnerEdges<M> inner_edges_;
-  std::vector<Velocity<M>> velocities_;  // by body, expected within the time that is looked ahead
-  std::vector<double> rim_speeds_;       // of these
-  std::vector<Pose<M>> poses_;           // by body, at which its contacts were computed
-  std::vector<Bounds<M>> bounds_;        // at those poses, with a margin
-  std::vector<double> way_;              // that was added to them for each body's motion [m]
-  std::vector<char> moved_;              // by body, whether its contacts are to be computed again
-  std::vector<BodyPair> joined_;         // by constraints; sorted
+  std::vector<Velocity<M>> velocities_;   // by body, expected within the time that is looked ahead
+  std::vector<double> rim_speeds_, way_;  // of these; added to the bounds for each body's motion [m]
+  std::vector<Pose<M>> poses_;            // by body, at which its contacts were computed
+  std::vector<Bounds<M>> bounds_;         // at those poses, with a margin
+  std::vector<char> moved_;               // by body, whether its contacts are to be computed again
+  std::vector<BodyPair> joined_;          // by constraints; sorted
   std::vector<Pair> pairs_, found_;
   ConstraintList<M> constraints_;
   std::vector<BodyPair> pressed_, pressed_before_;
-  double thinnest_ = 0;        // half thickness of all shapes [m]
-  double time_ = 0;            // that the last call of `find` looked ahead [s]
-  std::uint64_t version_ = 0;  // of the scene whose contacts these are
+  double thinnest_ = 0, time_ = 0;  // the least half thickness [m]; that the last call of `find` looked ahead [s]
+  std::uint64_t version_ = 0;       // of the scene whose contacts these are
+  long long computed_ = 0;
 };
 
 template <int L>

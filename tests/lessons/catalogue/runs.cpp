@@ -9,6 +9,10 @@
 #include "lessons/laws/sweeps.hpp"
 #include "lessons/laws/transverse.hpp"
 #include "lessons/scenes/box_pile.hpp"
+#include "lessons/scenes/boxes.hpp"
+#include "lessons/scenes/chain.hpp"
+#include "solver/constraints/motor.hpp"
+#include "solver/constraints/rope.hpp"
 
 // What counts as a run, what it costs, and how methods are tuned.
 namespace runs_test {
@@ -102,6 +106,21 @@ TEST(Prices, ArePaidForWhatAStepExecutes) {
   };
   EXPECT_NEAR(cost("top"), step(RowKind::links_in_space, 3), 1e-6);
   EXPECT_NEAR(cost("pendulum"), step(RowKind::bobs, 1), 1e-6);
+}
+
+TEST(Prices, AreOfWhatRowsActOn) {
+  const auto kind = [](const auto& scene) { return AnyScene(scene).row_kind(); };
+  Scene<SpaceParticle> thrown;
+  thrown.add_body(Eigen::Vector3d(0, 0, 0), with_mass<SpaceParticle>(1));
+  Scene<PlaneBody> machine = pinned_chain<PlaneBody>({.links = 2});
+  EXPECT_EQ(kind(machine), RowKind::links);
+  machine.add(motor(turn<PlaneBody>(machine.bodies(), 0, 1), 1, 10));
+  EXPECT_EQ(kind(machine), RowKind::machines);
+  EXPECT_EQ(kind(thrown), RowKind::free_bobs_in_space);
+  EXPECT_EQ(kind(rod_chain<PlaneParticle>({.links = 2})), RowKind::bobs);
+  EXPECT_EQ(kind(rod_chain<PlaneParticle, Rope>({.links = 2})), RowKind::ropes);
+  EXPECT_EQ(kind(rod_chain<SpaceBody>({.links = 2})), RowKind::balls_in_space);
+  EXPECT_EQ(kind(stack<SpaceBody>(2)), RowKind::boxes_in_space);
 }
 
 TEST(Prices, OfAProjectionAreChargedBySweepAndRow) {
