@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -13,17 +14,18 @@
 namespace byhand::stage {
 namespace {
 
-constexpr double pilot_solves = 1e7;          // uses of (17) after which the pilot ends
-constexpr double reference_solves = 3e6;      // after which a reference is not refined further
-constexpr double instructions_a_solve = 300;  // with all else that a reference does, about
+constexpr double pilot_solves = 1e7;    // uses of (17) after which the pilot ends
+constexpr double reference_cost = 4e9;  // instructions after which a reference is not refined further
 
 AnyScene any(const SceneFile& file) {
   return std::visit([](const auto& scene) { return AnyScene(scene); }, file.scene);
 }
 
+bool takes_rattle(const AnyScene& scene) { return scene.refusal(Rattle{}).empty(); }
+
 /// A method for the true motion: RATTLE where it can, which is of second order, else exact solves.
 Method fine_method(const AnyScene& scene, int substeps) {
-  if (const Method rattle = Rattle{.substeps = substeps}; scene.refusal(rattle).empty()) return rattle;
+  if (takes_rattle(scene)) return Rattle{.substeps = substeps};
   AnyStepping exact{ByGraph{}, Baumgarte{.slop = 0}};
   exact.substeps = substeps;
   exact.gyroscopic = Gyroscopic::implicit;
@@ -106,7 +108,7 @@ bool keeps_energy(const SceneFile& file) {
 
 struct Ended {
   ExactState before, end;  // one frame apart
-  double solves = 0;
+  double cost = 0;         // of its run [instructions]
 };
 Ended run(AnyScene scene, int substeps, double time) {
   scene.use(fine_method(scene, substeps));
@@ -114,13 +116,17 @@ Ended run(AnyScene scene, int substeps, double time) {
   for (long i = 1; i < frames; ++i) scene.step(frame);
   const ExactState before{centres(scene), scene.momentum()};
   scene.step(frame);
-  return {before, {centres(scene), scene.momentum()}, static_cast<double>(scene.row_solves())};
+  const RowKind kind = scene.row_kind();
+  const Prices prices = takes_rattle(scene) ? prices_of(kind, "RATTLE")
+                                            : prices_of(kind, "by graph") + prices_of(kind, "stepping") +
+                                                  prices_of(kind, name_of(Cure::baumgarte));
+  return {before, {centres(scene), scene.momentum()}, cost_of(scene.effort(), prices)};
 }
 
-double farthest_apart(const Ended& a, const Ended& b) {
+double farthest_apart(const ExactState& a, const ExactState& b) {
   double apart = 0;
-  for (std::size_t i = 0; i < a.end.positions.size(); ++i)
-    apart = std::max(apart, (a.end.positions[i] - b.end.positions[i]).norm());
+  for (std::size_t i = 0; i < a.positions.size(); ++i)
+    apart = std::max(apart, (a.positions[i] - b.positions[i]).norm());
   return apart;
 }
 
@@ -138,28 +144,37 @@ Ended extrapolated(const Ended& coarse, const Ended& fine, double factor) {
 }
 
 /// Where the scene is at a time and a frame before it: its steps are halved until two runs are as close as this,
-/// or cost too much [m]. `solves` are those of all runs. While the runs come closer as those of first or second
-/// order do, they are extrapolated, and two extrapolations have to be as close.
+/// or cost too much [m]. `cost` is that of all runs. While the runs come closer as those of first or second order
+/// do, they are extrapolated, and three extrapolations have to be as close. Where events are met a step sooner or
+/// later, two runs may agree by chance: so it counts as well by how much those before differed, a fourth of it for
+/// each halving since.
 Ended refined(const Problem& problem, double time, double close) {
   const AnyScene start = problem.start();
   Ended coarse = run(start, 8, time), best = coarse;
-  std::optional<Ended> last;  // extrapolation
-  double uncertainty = INFINITY, before = INFINITY, solves = coarse.solves;
-  for (int substeps = 16; substeps <= 1024 && uncertainty > close; substeps *= 2) {
+  constexpr int chance = 64;  // substeps up to which no agreement is believed
+  double uncertainty = INFINITY, cost = coarse.cost;
+  std::array<double, 2> before{};     // by how much the runs before differed
+  std::optional<Ended> last;          // extrapolation
+  std::optional<double> last_change;  // from the extrapolation before that
+  // A motion without events is worth more.
+  const auto most = [&] { return last ? 8192 : 1024; };
+  for (int substeps = 16; substeps <= most() && (substeps <= chance || uncertainty > close); substeps *= 2) {
     Ended fine = run(start, substeps, time);
-    const double apart = farthest_apart(fine, coarse), ratio = before / apart;
+    const double apart = farthest_apart(fine.end, coarse.end), ratio = before[0] / apart;
     const double factor = std::abs(ratio - 2) < 0.2 ? 2 : std::abs(ratio - 4) < 0.4 ? 4 : 0;
-    best = fine, uncertainty = apart;
+    best = fine, uncertainty = std::max({apart, before[0] / 4, before[1] / 16});
     std::optional<Ended> now;
+    std::optional<double> change;
     if (factor > 0) now = extrapolated(coarse, fine, factor);
-    if (now && last) best = *now, uncertainty = std::max(farthest_apart(*now, *last), 0.01 * apart);
-    const bool hopeless = (substeps >= 32 && apart > 0.5 * problem.size()) || 4 * fine.solves > reference_solves;
-    solves += fine.solves;
-    last = std::move(now), coarse = std::move(fine), before = apart;
+    if (now && last) change = farthest_apart(now->end, last->end);
+    if (change && last_change) best = *now, uncertainty = std::max({*change, *last_change / 4, 0.01 * apart});
+    const bool hopeless = (substeps >= 32 && apart > 0.5 * problem.size()) || 4 * fine.cost > reference_cost;
+    cost += fine.cost;
+    last = std::move(now), last_change = change, coarse = std::move(fine), before = {apart, before[0]};
     if (hopeless) break;
   }
   best.before.uncertainty = best.end.uncertainty = uncertainty;
-  best.solves = solves;
+  best.cost = cost;
   return best;
 }
 
@@ -243,7 +258,9 @@ NamedScene scene_of(const SceneFile& file, const Pilot& pilot, double time) {
                  known = std::make_shared<Known>()](const Problem& problem) {
     const double at = problem.scene().time;
     const Ended both = known->find(problem.values(), [&] { return refined(problem, at, close); });
-    if (*work == 0) *work = both.solves * instructions_a_solve;
+    for (double known_cost = *work;
+         known_cost < both.cost && !work->compare_exchange_weak(known_cost, both.cost);) {
+    }
     return [=](double moment) {
       if (std::abs(moment - at) < 0.5 * frame) return both.end;
       if (std::abs(moment + frame - at) < 0.5 * frame) return both.before;
@@ -264,6 +281,10 @@ Request request_of(const SceneFile& file) {
   if (!asks_for_truth(file) || !(request.problem.reference().uncertainty < 10 * closeness(file)))
     request.problem = compared_at(std::min(1.0, pilot.seconds));
   const NamedScene& scene = request.problem.scene();
+  if (asks_for_truth(file)) {
+    const auto state = scene.exact(request.problem);
+    request.last_motion = farthest_apart(state(scene.time), state(scene.time - frame));
+  }
   for (const auto& [name, limit] : file.accuracy) {
     const Error error = error_named(name);
     if (error == Error::energy && !scene.keeps_energy)
@@ -279,7 +300,7 @@ Request request_of(const SceneFile& file) {
              !(request.problem.reference().uncertainty < 0.25 * (error == Error::trajectory ? limit : scene.body)))
       request.notes.push_back(fmt::format(
           "The file limits the error of {}, but after {:.2g} s the true motion is known to {:.2g} m only, from "
-          "runs of up to 1024 substeps as far as those may cost. So this limit is left out.",
+          "runs whose steps were halved as far as those may cost. So this limit is left out.",
           name, scene.time, request.problem.reference().uncertainty));
     else
       request.limits[error] = limit;

@@ -84,6 +84,14 @@ TEST(Request, KnowsHowASpringSwings) {
   }
 }
 
+// y = -1 - g/ω² - (0.1 - g/ω²) cos ωt in the last frame, and with critical damping next to nothing.
+TEST(Request, KnowsHowFarTheTrueMotionGoesInItsLastFrame) {
+  const double sag = 9.81 / 400;
+  EXPECT_NEAR(request_of(bob_on_a_spring(0)).last_motion,
+              (0.1 - sag) * std::abs(std::cos(20 * 2.0) - std::cos(20 * (2 - frame))), 1e-5);
+  EXPECT_LT(request_of(bob_on_a_spring(40)).last_motion, 1e-6);
+}
+
 // A fine run of first order damps a spring. What keeps energy by its parts keeps it all the same.
 TEST(Request, LimitsTheEnergyOfWhatTakesNone) {
   EXPECT_TRUE(request_of(bob_on_a_spring(0)).limits.contains(Error::energy));
