@@ -33,7 +33,7 @@ Scaling scaling(const Page& page, const std::vector<double>& x, const std::funct
   const auto found = page.side_by_side(methods * static_cast<int>(x.size()), [&](int i) {
     const Problem problem = problem_at(x[static_cast<std::size_t>(i / methods)]);
     const double most = per_row * problem.start().rows() * limit_of(problem).substeps;
-    return cheapest(problem, family_named(compared[static_cast<std::size_t>(i % methods)]),
+    return cheapest(std::span(&problem, 1), family_named(compared[static_cast<std::size_t>(i % methods)]),
                     {.limits = {{Error::drift, wanted}}}, most);
   });
   result.cost.resize(compared.size());

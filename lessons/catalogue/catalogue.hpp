@@ -80,7 +80,7 @@ struct NamedScene {
   bool rests = false;                    // whether a scene with Duty::keep stands still
   std::vector<std::string> varied = {};  // the parameters that differ between initial conditions
   bool chaotic = false;
-  /// Instructions that the true motion from its own start took, if they count beside the runs; known after it.
+  /// The most instructions that the true motion from any start has taken yet, if they count beside the runs.
   std::shared_ptr<std::atomic<double>> reference_work = {};
   std::string reference;  // where the exact answer comes from
   std::function<AnyScene(const Problem&)> make;

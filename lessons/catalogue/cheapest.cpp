@@ -20,11 +20,15 @@ Watch watch_of(const Problem& problem, const Wish& wish, double bound) {
 class Variant {
  public:
   /// `most` instructions end its search.
-  Variant(const Problem& problem, const Family& family, const Wish& wish, double bound, double most, Known* known)
-      : problem_(problem),
+  Variant(std::span<const Problem> starts, const Family& family, const Wish& wish, double bound, double most,
+          std::vector<Known>& known)
+      : problem_(starts[0]),
         wish_(wish),
-        runs_(problem, family, watch_of(problem, wish, bound), known),
-        most_(most) {}
+        runs_(problem_, family, watch_of(problem_, wish, bound), known.data()),
+        most_(most) {
+    for (std::size_t i = starts.size(); --i > 0;)
+      others_.emplace_back(starts[i], family, watch_of(starts[i], wish, INFINITY), &known[i]);
+  }
 
   /// The least substeps from the law's on with which some strength reaches the wish; then fewer passes.
   void search(Cure cure, int passes) {
@@ -81,28 +85,44 @@ class Variant {
   }
 
   const Candidate& best() const { return best_; }
-  Spent spent() const { return {runs_.made(), runs_.work()}; }
+  Spent spent() const {
+    Spent all{runs_.made(), runs_.work()};
+    for (const Runs& other : others_) all += {other.made(), other.work()};
+    return all;
+  }
 
  private:
-  bool reaches(const Point& point) const { return excess(point, wish_.limits) <= 1; }
-  bool ends() const { return runs_.work() > most_; }
+  bool ends() const { return spent().work > most_; }
+
+  /// The largest error over its limit. What reaches the wish is run from the other starts, too, until one fails:
+  /// among many choices some reach it from one start by luck.
+  double over(const Point& point) {
+    const auto [known, is_new] = over_.try_emplace(point.knobs, excess(point, wish_.limits));
+    double& most = known->second;
+    for (std::size_t i = 0; is_new && most <= 1 && i < others_.size(); ++i) {
+      most = std::max(most, excess(others_[i].at(point.knobs), wish_.limits));
+      if (most > 1)
+        std::rotate(others_.begin(), others_.begin() + i, others_.begin() + i + 1);  // the next's first
+    }
+    return most;
+  }
+  bool reaches(const Point& point) { return over(point) <= 1; }
 
   /// A number that falls towards the wish also where a run ended early, beyond its limits or by a failure.
-  double rank(const Point& point) const {
-    const double over = excess(point, wish_.limits), late = runs_.seconds() / std::max(point.seconds, frame);
-    return std::isfinite(over) ? over * late : 1e9 * late;
+  double rank(const Point& point) {
+    const double most = over(point), late = runs_.seconds() / std::max(point.seconds, frame);
+    return std::isfinite(most) ? most * late : 1e9 * late;
   }
 
   const Point& run(const Knobs& knobs) {
     // What is left has to pay for all of the run.
-    runs_.watch().most = std::min(runs_.watch().most, (most_ - runs_.work()) * frame / runs_.seconds());
+    runs_.watch().most = std::min(runs_.watch().most, (most_ - spent().work) * frame / runs_.seconds());
     const Point& point = runs_.at(knobs);
-    const double over = excess(point, wish_.limits);
-    const bool reached = over <= 1;
+    const bool reached = reaches(point);
     if (reached) runs_.watch().most = std::min(runs_.watch().most, 1.02 * point.cost);
     if (best_.point.family == nullptr || (reached && !best_.reached) ||
         (reached && point.cost < best_.point.cost) || (!reached && !best_.reached && rank(point) < best_.excess))
-      best_ = {reached, point, reached ? over : rank(point)};
+      best_ = {reached, point, reached ? over(point) : rank(point)};
     return point;
   }
 
@@ -151,7 +171,9 @@ class Variant {
   const Problem& problem_;
   const Wish& wish_;
   Runs runs_;
+  std::vector<Runs> others_;  // from the other starts
   double most_;
+  std::map<Knobs, double> over_;
   std::map<Knobs, Knobs> tuned_;
   Candidate best_;
 };
@@ -165,8 +187,11 @@ std::vector<int> passes_of(const Family& family) {
 
 }  // namespace
 
-Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound, Spent* spent,
-                   double most_work, Known* known) {
+Candidate cheapest(std::span<const Problem> starts, const Family& family, const Wish& wish, double bound,
+                   Spent* spent, double most_work, std::vector<Known>* known) {
+  std::vector<Known> own;
+  if (!known) known = &own;
+  known->resize(starts.size());
   std::vector<std::unique_ptr<Variant>> variants;
   Variant* best = nullptr;
   double work = 0;
@@ -175,7 +200,7 @@ Candidate cheapest(const Problem& problem, const Family& family, const Wish& wis
       if (best && work > most_work) break;
       const double most = best && best->best().reached ? best->best().point.cost : INFINITY;
       variants.push_back(
-          std::make_unique<Variant>(problem, family, wish, std::min(bound, most), most_work - work, known));
+          std::make_unique<Variant>(starts, family, wish, std::min(bound, most), most_work - work, *known));
       Variant& variant = *variants.back();
       variant.search(cure, passes);
       work += variant.spent().work;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "lessons/catalogue/tuning.hpp"
 #include "lessons/catalogue/wish.hpp"
@@ -8,10 +9,11 @@
 // The search for one method's choices that reach a wish at the least cost.
 namespace byhand {
 
-/// The cheapest run of one method within the limits that costs at most `bound`, or what came nearest until `most`
-/// instructions were spent. `known` are runs of earlier searches with the same limits.
-Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound,
+/// The cheapest run of one method within the limits from all starts, at least one, that costs at most `bound` from
+/// the first, or what came nearest until `most` instructions were spent. What reaches them from the first is held
+/// against the others, the last first. `known` are runs of earlier searches with the same limits, by start.
+Candidate cheapest(std::span<const Problem> starts, const Family& family, const Wish& wish, double bound,
                    Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity(),
-                   Known* known = nullptr);
+                   std::vector<Known>* known = nullptr);
 
 }  // namespace byhand

@@ -8,11 +8,13 @@
 namespace byhand {
 namespace {
 
-constexpr int most_attempts = 12;        // to find a candidate's choices that keep the wish from all starts
-constexpr double worth = 1.5;            // times the cheapest: what costs more is not looked for
+constexpr int most_attempts = 12;  // to find a candidate's choices that keep the wish from all starts
+constexpr double worth = 1.5;      // times the cheapest: what costs more is not looked for
+// The seeds of the starts of verifications, and of those that a search holds what it finds against.
+constexpr int of_verification = 1, of_search = 1000;
 constexpr std::size_t most_answers = 3;  // the recommended one and its runners-up
 
-/// Instructions that the true motion from another start takes.
+/// Instructions that the true motion from another start takes, at most as far as is known.
 double work_of_truth(const Problem& problem, const Wish& wish) {
   const auto& work = problem.scene().reference_work;
   return work && asks_for_reference(wish.limits) ? work->load() : 0;
@@ -24,23 +26,32 @@ double whole_work(const Problem& problem, double cost) { return cost * problem.s
 /// Counts the true motions of other starts, each of which is found once.
 class Truths {
  public:
-  Truths(const Problem& problem, const Wish& wish) : each_(work_of_truth(problem, wish)) {}
+  Truths(const Problem& problem, const Wish& wish) : problem_(problem), wish_(wish) {}
 
   /// Of the first `starts` of a seed, those that are new.
   double work(int seed, int starts) {
     int& known = known_[seed];
     const int more = std::max(0, starts - known);
     known += more;
-    return more * each_;
+    return more * work_of_truth(problem_, wish_);
   }
 
  private:
-  double each_;
+  const Problem& problem_;
+  const Wish& wish_;
   std::map<int, int> known_;
 };
 
+/// From how many starts beside the scene's own what a search finds has to reach the wish.
+int other_starts(const Problem& problem, const Wish& wish, const Search& search) {
+  constexpr double share = 0.05;  // of the search, for their true motions
+  return wish.limits.empty()
+             ? 0
+             : static_cast<int>(std::clamp(share * search.most / work_of_truth(problem, wish), 2.0, 6.0));
+}
+
 /// From how many starts runs of that cost are verified.
-int starts_of(const Problem& problem, const Wish& wish, double cost, const Search& search) {
+int count_of_starts(const Problem& problem, const Wish& wish, double cost, const Search& search) {
   constexpr double for_truth = 5;  // times as much, as all verifications share them
   double work = std::max(whole_work(problem, cost), work_of_truth(problem, wish) / for_truth);
   if (asks_for_reference(wish.limits) && problem.scene().chaotic)
@@ -64,10 +75,14 @@ Candidate most_accurate(const Problem& problem, const Family& family, const Wish
   return best;
 }
 
-/// What a candidate's next attempt has to keep before it is verified from fresh starts: those that it has missed.
-struct Attempts {
-  int left = most_attempts;
-  std::vector<Problem> missed;
+/// A wish, and the starts that a search holds what it finds against: at first a few, then also those of the
+/// verification from which a choice missed it. In the verification others take their place.
+struct Contest {
+  Wish wish;
+  std::vector<Problem> starts;
+  std::vector<int> verified_from = {};  // numbers of the verification's starts
+  int next = 0;                         // number
+  std::vector<std::vector<Known>> known = std::vector<std::vector<Known>>(families().size());  // by method, start
 };
 
 /// The choice of one wish: all methods are searched, what they found is verified from other starts, and what is
@@ -76,6 +91,10 @@ class Choosing {
  public:
   Choosing(const Problem& problem, const Wish& wish, const Search& search)
       : problem_(problem), wish_(wish), search_(search), truths_(problem, wish) {
+    const int others = other_starts(problem, wish, search);
+    for (int start = 1; start <= others; ++start) first_starts_.push_back(problem.variation(start, of_search));
+    contest_.starts = first_starts_;
+    choice_.spent.work += truths_.work(of_search, others);
     choice_.limit = limit_of(problem);
     for (std::size_t i = 0; i < all_.size(); ++i)
       (all_[i].exact && all_[i].solves_rows      ? quick_
@@ -100,9 +119,9 @@ class Choosing {
 
  private:
   double& work() { return choice_.spent.work; }
-  /// What one method may take of what is left until `until`, where so many share it.
-  double share(double until, std::size_t among = 1) {
-    return std::min(most_of_one_, std::max(0.0, until - work()) / static_cast<double>(among));
+  /// What one of so many methods may take of what is left until `until`.
+  double share(double until, std::size_t among) {
+    return std::max(0.0, until - work()) / static_cast<double>(among);
   }
   Point whole(const Problem& start, const Family& family, const Knobs& knobs) {
     const Point point = whole_run(start, family, knobs, wish_);
@@ -115,10 +134,11 @@ class Choosing {
 
   void look(std::vector<std::size_t> which, double most, double until);
   void search_all();
-  Candidate strengthened(const Wish& wish, const Candidate& candidate, const std::vector<Problem>& missed,
-                         double until);
-  Verification counted(const Wish& wish, const Point& point, int seed);
-  std::vector<Candidate> verified(const Wish& wish, std::vector<Candidate>& found, std::size_t wanted,
+  Candidate found_by(Contest& contest, const Family& family, double bound, double most, Spent& spent) const;
+  Candidate with_more_substeps(const Contest& contest, const Candidate& candidate, double until);
+  Candidate found_again(Contest& contest, const Candidate& candidate, double until);
+  Verification counted(const Contest& contest, const Point& point);
+  std::vector<Candidate> verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
                                   double until);
   std::vector<Candidate> verified_with_dearer();
   void recommend(const std::vector<Candidate>& kept);
@@ -134,10 +154,14 @@ class Choosing {
   // What is quick to search comes first: it bounds what the rest may cost.
   std::vector<std::size_t> quick_, exact_, rest_;
   const double most_of_one_ = search_.most / 20;
+  // What may be spent by the end of each stage.
+  const double by_search_ = 0.4 * search_.most, by_verification_ = 0.55 * search_.most,
+               by_dearer_ = 0.65 * search_.most, by_robust_ = 0.8 * search_.most, by_finer_ = 0.95 * search_.most;
   Truths truths_;
-  std::vector<Candidate> found_{all_.size()};  // by method
-  std::vector<Known> known_{all_.size()};
+  std::vector<Candidate> found_{all_.size()};                   // by method
   std::vector<char> settled_ = std::vector<char>(all_.size());  // of which the answer is known
+  std::vector<Problem> first_starts_{problem_};
+  Contest contest_{wish_, {}};
   double cheapest_yet_ = INFINITY;
   int starts_ = 0;  // of each verification
   Choice choice_;
@@ -149,16 +173,16 @@ void Choosing::look(std::vector<std::size_t> which, double most, double until) {
   std::erase_if(which, [&](std::size_t at) {
     return found_[at].reached || found_[at].point.outcome == Outcome::refused || settled_[at];
   });
-  const double bound = std::min(most, worth * cheapest_yet_), each = share(until, which.size());
+  const double bound = std::min(most, worth * cheapest_yet_),
+               each = std::min(most_of_one_, share(until, which.size()));
   std::vector<Spent> spent(which.size());
   search_.side_by_side(static_cast<int>(which.size()), [&](int i) {
     const std::size_t at = which[static_cast<std::size_t>(i)];
     search_.told(all_[at].name);
     Spent& own = spent[static_cast<std::size_t>(i)];
-    const Candidate now = wish_.limits.empty()
-                              ? most_accurate(problem_, all_[at], wish_, own)
-                              : cheapest(problem_, all_[at], wish_, std::min(bound, budget_of(wish_, all_[at])),
-                                         &own, each, &known_[at]);
+    const Candidate now = wish_.limits.empty() ? most_accurate(problem_, all_[at], wish_, own)
+                                               : found_by(contest_, all_[at],
+                                                          std::min(bound, budget_of(wish_, all_[at])), each, own);
     // A search that may take little comes less near than one before.
     if (!found_[at].point.family || now.point.outcome == Outcome::refused || preferred(now, found_[at], wish_))
       found_[at] = now;
@@ -172,30 +196,36 @@ void Choosing::look(std::vector<std::size_t> which, double most, double until) {
 /// search goes on when that of all others has cost enough.
 void Choosing::search_all() {
   constexpr double hopeless = 1e13;  // instructions a frame
-  const double rows = std::max(1, problem_.start().degrees_of_freedom()), half = search_.most / 2;
+  const double rows = std::max(1, problem_.start().degrees_of_freedom());
   double level = wish_.limits.empty() ? INFINITY : 1000 * rows * choice_.limit.substeps;
   for (;; level *= 2.5) {
-    look(quick_, level, half), look(exact_, level, half);
+    look(quick_, level, by_search_), look(exact_, level, by_search_);
     const bool all_of_them = work() <= search_.enough;
-    if (all_of_them) look(rest_, level, half);
+    if (all_of_them) look(rest_, level, by_search_);
     const bool spent_all = std::all_of(all_.begin(), all_.end(),
                                        [&](const Family& family) { return level >= budget_of(wish_, family); });
     if (all_of_them) choice_.searched = spent_all ? INFINITY : level;
     // Or a run at this cost is more than one method may take.
-    choice_.at_its_bound = work() > 0.9 * half || level * screening(problem_) / frame > 2.5 * most_of_one_;
+    choice_.at_its_bound = work() > 0.9 * by_search_ || level * screening(problem_) / frame > 2.5 * most_of_one_;
     // Until none is left out that costs little more than the cheapest.
     if (level >= worth * cheapest_yet_ || spent_all || choice_.at_its_bound || level > hopeless ||
         work() > 3 * search_.enough)
       break;
   }
   choice_.searched_exactly = std::max(level, choice_.searched);
-  starts_ = std::isfinite(cheapest_yet_) ? starts_of(problem_, wish_, cheapest_yet_, search_) : 0;
+  starts_ = std::isfinite(cheapest_yet_) ? count_of_starts(problem_, wish_, cheapest_yet_, search_) : 0;
+  contest_.verified_from = first_numbers(starts_), contest_.next = starts_;
 }
 
-/// A candidate with so few more substeps that it keeps its own start and those it has missed; or, if that costs
-/// more than `worth_a_search`, the same method tuned anew for the last of those, where it is cheaper.
-Candidate Choosing::strengthened(const Wish& wish, const Candidate& candidate, const std::vector<Problem>& missed,
-                                 double until) {
+Candidate Choosing::found_by(Contest& contest, const Family& family, double bound, double most,
+                             Spent& spent) const {
+  return cheapest(contest.starts, family, contest.wish, bound, &spent, most,
+                  &contest.known[static_cast<std::size_t>(&family - all_.data())]);
+}
+
+/// A candidate with so few more substeps that it keeps all of the contest's starts over the whole time.
+Candidate Choosing::with_more_substeps(const Contest& contest, const Candidate& candidate, double until) {
+  const Wish& wish = contest.wish;
   const Family& family = *candidate.point.family;
   const double budget = budget_of(wish, family);
   Candidate more = candidate;
@@ -209,71 +239,76 @@ Candidate Choosing::strengthened(const Wish& wish, const Candidate& candidate, c
   for (int parts = 1; parts <= 128 && !more.reached && more.point.cost <= budget && work() <= until; parts *= 2) {
     const int from = candidate.point.knobs.substeps;
     more.point.knobs.substeps = std::max(more.point.knobs.substeps + 1, from + from * parts / 16);
-    // The hardest first.
-    more.reached = std::all_of(missed.rbegin(), missed.rend(), kept) && kept(problem_);
+    more.reached = std::all_of(contest.starts.rbegin(), contest.starts.rend(), kept);  // the scene's own last
   }
-  constexpr double worth_a_search = 1.15;  // times the candidate's cost
-  if (wish.limits.empty() || (more.reached && more.point.cost <= worth_a_search * candidate.point.cost))
-    return more;
-  const double most = std::min({more.reached ? more.point.cost : INFINITY, 10 * candidate.point.cost, budget});
-  const Candidate tuned = cheapest(missed.back(), family, wish, most, &choice_.spent, until - work());
-  return tuned.reached && tuned.point.cost > candidate.point.cost ? tuned : more;
+  return more;
 }
 
-/// A run from each of the first starts of a seed until one fails.
-Verification Choosing::counted(const Wish& wish, const Point& point, int seed) {
-  const Verification verification = verify(problem_, point, wish, starts_, search_.side_by_side, seed, true);
+/// The same method's cheapest that also keeps the starts that were added since. A search watches a part of a run,
+/// so that it may not see why its candidate missed one: then that with more substeps.
+Candidate Choosing::found_again(Contest& contest, const Candidate& candidate, double until) {
+  const Family& family = *candidate.point.family;
+  if (!contest.wish.limits.empty()) {
+    const double bound = std::min(10 * candidate.point.cost, budget_of(contest.wish, family));
+    const Candidate found = found_by(contest, family, bound, until - work(), choice_.spent);
+    if (found.reached && found.point.cost > candidate.point.cost) return found;
+  }
+  return with_more_substeps(contest, candidate, until);
+}
+
+/// A run from each start of the verification until one fails.
+Verification Choosing::counted(const Contest& contest, const Point& point) {
+  const std::vector<Problem> starts = variations(problem_, contest.verified_from, of_verification);
+  const Verification verification = verify(starts, point, contest.wish, search_.side_by_side, true);
   choice_.spent += {verification.starts, verification.starts * whole_work(problem_, point.cost) +
-                                             truths_.work(seed, verification.starts)};
+                                             truths_.work(of_verification, verification.starts)};
   return verification;
 }
 
 /// Of candidates that reach the wish the cheapest that keep it from all starts over the whole time, by their
 /// costs: as many as are wanted, and as are paid for until `until` instructions are spent. One that does not is
-/// strengthened, and so takes its place further back. `choice_.verified` becomes that of the first.
-std::vector<Candidate> Choosing::verified(const Wish& wish, std::vector<Candidate>& found, std::size_t wanted,
+/// looked for again, and so takes its place further back. `choice_.verified` becomes that of the first.
+std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
                                           double until) {
   std::vector<Candidate> kept;
-  std::vector<Attempts> attempts(found.size());
+  std::vector<int> misses(found.size());
   while (kept.size() < wanted) {
     Candidate* next = nullptr;
     for (Candidate& candidate : found)
-      if (candidate.reached && (!next || preferred(candidate, *next, wish))) next = &candidate;
+      if (candidate.reached && (!next || preferred(candidate, *next, contest.wish))) next = &candidate;
     if (!next) break;
-    if (work() > until) {
+    if (work() > (kept.empty() ? std::max(until, by_robust_) : until)) {
       choice_.at_its_bound = true;
       break;
     }
-    // From other starts after each failure: none of those for which it was tuned.
-    auto& [left, missed] = attempts[static_cast<std::size_t>(next - found.data())];
-    const int seed = 1 + most_attempts - left;
-    const Verification verification = counted(wish, next->point, seed);
+    const Verification verification = counted(contest, next->point);
     if (verification.kept()) {
       if (kept.empty()) choice_.verified = verification;
       kept.push_back(*next);
       next->reached = false;
       continue;
     }
-    missed.push_back(problem_.variation(verification.worst, seed));
-    *next = strengthened(wish, *next, missed, work() + std::min(most_of_one_, until - work()));
-    next->reached = next->reached && --left > 0;
+    int& missed = contest.verified_from[static_cast<std::size_t>(verification.worst)];
+    contest.starts.push_back(problem_.variation(missed, of_verification));
+    missed = contest.next++;
+    *next = found_again(contest, *next, work() + most_of_one_);
+    next->reached = next->reached && ++misses[next - found.data()] < most_attempts;
   }
   return kept;
 }
 
 /// What keeps the wish; and where that is dearer than what was found, what was left out as too dear beside it.
 std::vector<Candidate> Choosing::verified_with_dearer() {
-  std::vector<Candidate> kept = verified(wish_, found_, most_answers, 0.7 * search_.most);
-  if (wish_.limits.empty() || starts_ == 0 || work() >= 0.7 * search_.most ||
+  std::vector<Candidate> kept = verified(contest_, found_, most_answers, by_verification_);
+  if (wish_.limits.empty() || starts_ == 0 || work() >= by_verification_ ||
       (!kept.empty() && kept.front().point.cost <= 1.05 * cheapest_yet_))
     return kept;
   for (const Candidate& one : kept) settled_[static_cast<std::size_t>(one.point.family - all_.data())] = 1;
   cheapest_yet_ = kept.empty() ? 10 * cheapest_yet_ : kept.front().point.cost / worth;
-  const double until = 0.7 * search_.most;
-  look(quick_, INFINITY, until), look(exact_, INFINITY, until);
-  if (work() <= search_.enough) look(rest_, INFINITY, until);
+  look(quick_, INFINITY, by_verification_), look(exact_, INFINITY, by_verification_);
+  if (work() <= search_.enough) look(rest_, INFINITY, by_verification_);
   const Verification of_first = choice_.verified;
-  const std::vector<Candidate> more = verified(wish_, found_, most_answers, 0.8 * search_.most);
+  const std::vector<Candidate> more = verified(contest_, found_, most_answers, by_dearer_);
   if (!kept.empty() && (more.empty() || !preferred(more.front(), kept.front(), wish_)))
     choice_.verified = of_first;
   kept.insert(kept.end(), more.begin(), more.end());
@@ -332,8 +367,8 @@ void Choosing::coarsen() {
     fewer.substeps = std::max(1, std::min(fewer.substeps - 1, fewer.substeps * 9 / 10));
     choice_.coarser = with_all_errors(*choice_.best.point.family, fewer);
     const double over = excess(*choice_.coarser, wish_.limits);
-    if (wish_.limits.empty() || !(over <= 1) || work() > 0.8 * search_.most) return;
-    const Verification verification = counted(wish_, *choice_.coarser, 1);
+    if (wish_.limits.empty() || !(over <= 1) || work() > by_dearer_) return;
+    const Verification verification = counted(contest_, *choice_.coarser);
     if (!verification.kept()) return;
     choice_.best = {true, *choice_.coarser, over};
     choice_.verified = verification;
@@ -352,22 +387,22 @@ void Choosing::tighten(const std::vector<Candidate>& kept) {
     if (one.point.family && one.point.outcome != Outcome::refused &&
         std::find(able.begin(), able.end(), one.point.family) == able.end())
       others.push_back(one.point.family);
-  // Where none of them does, all others.
-  const auto either = [&](double part, double until, double at_last) {
-    auto found = tighter(part, able, until);
-    return found || others.empty() ? found : tighter(part, others, at_last);
+  // Where none of them does, all others, for a fifth of what is left.
+  const auto either = [&](double part, double until) {
+    auto found = tighter(part, able, 0.8 * until + 0.2 * work());
+    return found || others.empty() ? found : tighter(part, others, until);
   };
-  choice_.robust = either(0.5, 0.8 * search_.most, 0.85 * search_.most);
-  choice_.finer = either(0.1, 0.9 * search_.most, 0.95 * search_.most);
-  if (choice_.finer && choice_.robust && choice_.finer->cost < choice_.robust->cost)
+  choice_.robust = either(0.5, by_robust_);
+  choice_.finer = either(0.1, by_finer_);
+  if (choice_.finer && (!choice_.robust || choice_.finer->cost < choice_.robust->cost))
     choice_.robust = choice_.finer;
 }
 
 /// The cheapest of these methods that keeps that share of the limits.
 std::optional<Point> Choosing::tighter(double part, const std::vector<const Family*>& able, double until) {
-  Wish tight = wish_;
-  for (auto& [error, limit] : tight.limits) limit *= part;
-  tight.budget = nullptr;
+  Contest tight{wish_, first_starts_, first_numbers(starts_), starts_};
+  for (auto& [error, limit] : tight.wish.limits) limit *= part;
+  tight.wish.budget = nullptr;
   if (work() > until) return {};
   if (choice_.verified.excess <= part) return choice_.best.point;  // from the starts that it was verified from
   std::vector<Candidate> again(able.size());
@@ -377,7 +412,7 @@ std::optional<Point> Choosing::tighter(double part, const std::vector<const Fami
     const double each = share(until, able.size());
     search_.side_by_side(static_cast<int>(able.size()), [&](int i) {
       const auto at = static_cast<std::size_t>(i);
-      again[at] = cheapest(problem_, *able[at], tight, times * choice_.best.point.cost, &spent[at], each);
+      again[at] = found_by(tight, *able[at], times * choice_.best.point.cost, each, spent[at]);
     });
     for (const Spent& one : spent) choice_.spent += one;
     if (std::any_of(again.begin(), again.end(), [](const Candidate& one) { return one.reached; })) break;

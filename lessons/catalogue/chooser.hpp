@@ -40,8 +40,8 @@ struct Search {
   double verification = 3e10;  // instructions of one, beyond which it takes fewer
   bool tighter = true;         // whether half and a tenth of the limits are looked for, too
   double enough = 2e10;  // instructions after which only methods that solve each step exactly are tried further
-  // Instructions that it may take; then it shows what it has found. Half are for the search among all methods, and
-  // of one method for a twentieth.
+  // Instructions that it may take; then it shows what it has found. Four tenths are for the search among all
+  // methods, and of one method for a twentieth.
   double most = std::numeric_limits<double>::infinity();
   bool all_errors = true;  // whether the answer's errors are measured that nobody asked for, too
 };

@@ -1,6 +1,7 @@
 #include "lessons/catalogue/verification.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace byhand {
 
@@ -8,16 +9,17 @@ void one_after_another(int count, const std::function<void(int)>& work) {
   for (int i = 0; i < count; ++i) work(i);
 }
 
-Verification verify(const Problem& problem, const Point& point, const Wish& wish, int starts,
-                    const SideBySide& side_by_side, int seed, bool until_one_fails) {
-  Verification result{.seconds = problem.scene().duration};
+Verification verify(std::span<const Problem> starts, const Point& point, const Wish& wish,
+                    const SideBySide& side_by_side, bool until_one_fails) {
+  Verification result{.seconds = starts[0].scene().duration};
+  const int all = static_cast<int>(starts.size());
   // First a few, because most that fail do so soon.
-  for (int batch = until_one_fails ? 6 : starts; result.starts < starts; batch *= 2) {
-    const int first = result.starts;
-    std::vector<Point> points(static_cast<std::size_t>(std::min(batch, starts - first)));
-    side_by_side(static_cast<int>(points.size()), [&](int i) {
-      points[static_cast<std::size_t>(i)] =
-          whole_run(problem.variation(first + i, seed), *point.family, point.knobs, wish);
+  for (int batch = until_one_fails ? 6 : all; result.starts < all; batch *= 2) {
+    const auto some = starts.subspan(result.starts, std::min(batch, all - result.starts));
+    std::vector<Point> points(some.size());
+    side_by_side(static_cast<int>(some.size()), [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      points[at] = whole_run(some[at], *point.family, point.knobs, wish);
     });
     for (const Point& one : points) {
       ++result.starts;
@@ -30,6 +32,18 @@ Verification verify(const Problem& problem, const Point& point, const Wish& wish
     if (until_one_fails && !result.kept()) break;
   }
   return result;
+}
+
+std::vector<Problem> variations(const Problem& problem, std::span<const int> numbers, int seed) {
+  std::vector<Problem> starts;
+  for (const int number : numbers) starts.push_back(problem.variation(number, seed));
+  return starts;
+}
+
+std::vector<int> first_numbers(int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
 }
 
 double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits, Spent* spent,

@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "lessons/catalogue/wish.hpp"
 
@@ -29,10 +31,14 @@ struct Verification {
 using SideBySide = std::function<void(int count, const std::function<void(int)>& work)>;
 void one_after_another(int count, const std::function<void(int)>& work);
 
-/// Runs a point's choices from other initial conditions, the scene's own first. `until_one_fails` leaves the rest.
-Verification verify(const Problem& problem, const Point& point, const Wish& wish, int starts,
-                    const SideBySide& side_by_side = one_after_another, int seed = 1,
-                    bool until_one_fails = false);
+/// Runs a point's choices from these initial conditions. `until_one_fails` leaves the rest.
+Verification verify(std::span<const Problem> starts, const Point& point, const Wish& wish,
+                    const SideBySide& side_by_side = one_after_another, bool until_one_fails = false);
+
+/// Initial conditions of a seed by their numbers, of which 0 is the scene's own.
+std::vector<Problem> variations(const Problem& problem, std::span<const int> numbers, int seed);
+/// 0, 1, …
+std::vector<int> first_numbers(int count);
 
 /// The factor on the scene's stress parameter, at least 1 and within 5 %, at which this point's method no longer
 /// keeps within the limits; infinite if it does at the parameter's upper end and up to a thousand, NaN if the

@@ -452,7 +452,10 @@ std::optional<Point> brute_force(const Problem& problem, const std::map<Error, d
     knobs.relaxation = std::clamp(relaxations[drawn(5)], family.least_relaxation, family.most_relaxation);
     const Point point = measure(problem, family, knobs, watch);
     if (excess(point, limits) > 1 || point.cost > watch.most) continue;
-    if (!verify(problem, point, {.limits = limits}, 4 * starts, one_after_another, 1001, true).kept()) continue;
+    if (!verify(variations(problem, first_numbers(4 * starts), 1001), point, {.limits = limits}, one_after_another,
+                true)
+             .kept())
+      continue;
     best = point;
     watch.most = point.cost;
   }
@@ -470,7 +473,7 @@ TEST_P(Requests, NeverFailAndAreWithinAThirdOfTheCheapestThatBruteForceFinds) {
   EXPECT_LE(excess(measure(problem, *best.family, best.knobs), limits), 1) << best.described();
   // From initial conditions that the chooser has not seen, too.
   const int fresh = !choice.verified.certified() ? 5 : tests::is_long_run() ? 200 : 60;
-  const Verification other = verify(problem, best, {.limits = limits}, fresh, one_after_another, 1000);
+  const Verification other = verify(variations(problem, first_numbers(fresh), 999), best, {.limits = limits});
   RecordProperty("kept", fmt::format("{} of {}", other.within, fresh));
   below_95_percent += other.within < 0.95 * fresh;
   EXPECT_GE(other.within, 0.9 * fresh) << other.first_failure;
