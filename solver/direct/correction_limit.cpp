@@ -1,6 +1,6 @@
 #include "solver/direct/correction_limit.hpp"
 
-#include <numeric>
+#include <cmath>
 
 #include "solver/rows/operators.hpp"
 #include "solver/support/each_model.hpp"
@@ -12,11 +12,23 @@ constexpr double most_amplified = 2.5;  // 1 / (2 √damping)
 constexpr double negligible = 0.01;     // of what else the rows do
 
 /// Whether the rows' impulses together take so much more energy than one by one that near dependence may be why:
-/// λᵀAλ against Σ r²/Aₖₖ, for λ = A⁻¹r. A chain's ratio grows with the square of its length.
+/// λᵀr against Σ x², for λ = A⁻¹r and x = r/√Aₖₖ. A chain's ratio grows with the square of its length; here
+/// (Σ|x|)²/Σ x² rows ask, so that those that ask nothing do not hide a few that cannot be met.
 template <class M>
 bool is_suspect(const System<M>& system, const DirectWork<M>& work) {
-  const double together = std::inner_product(work.right.begin(), work.right.end(), system.lambda.begin(), 0.0);
-  return together > 4.0 * system.rows() * system.rows() * work.apart;
+  double together = 0, apart = 0, sum = 0;
+  for (const auto& node : work.plan.nodes) {
+    if (node.edge < 0) continue;
+    for (int k = 0; k < node.size; ++k) {
+      const double r = work.right[node.lambda + k], A = work.diagonal[node.row + k];
+      if (A == 0) continue;
+      together += r * system.lambda[node.lambda + k];
+      apart += r * r / A;
+      sum += std::abs(r) / std::sqrt(A);
+    }
+  }
+  const double rows = sum * sum / apart;
+  return together > 4 * rows * rows * apart;
 }
 
 /// The largest speed that impulses give to a body.

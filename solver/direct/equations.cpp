@@ -131,7 +131,6 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
          *right = work.right.data();
   const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data(),
                regularisation = solver.regularisation;
-  double apart = 0;
   for (const auto& [first, count] : work.plan.fill_in) std::fill_n(values + first, count, 0.0);
   for (const auto& node : work.plan.nodes) {
     double *D = values + node.diagonal, *b = unknowns + node.row, *diagonal = diagonals + node.row;
@@ -164,14 +163,12 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
             const double soft = regularisation * whole + gamma[node.lambda + k];
             diagonal[k] = whole + soft;
             entry += soft;
-            apart += b[k] * b[k] / diagonal[k];
           }
           D[k * n + l] = D[l * n + k] = entry;
         }
       }
     });
   }
-  work.apart = apart;
   for (const auto& coupling : work.plan.couplings) {
     const auto &earlier = nodes[coupling.earlier.node], &later = nodes[coupling.later.node];
     const double* J = earlier.edge < 0 ? views[later.edge].J + dof * coupling.later.side

@@ -27,7 +27,6 @@ struct DirectWork {
   std::vector<View> views;             // by edge, in the order of the plan
   std::vector<double> offset, change;  // b + γλ and Δλ, by row
   std::vector<double> right;           // r = -(JV + offset), by row
-  double apart = 0;                    // Σ r²/Aₖₖ: what the rows would take one by one, twice its energy [J]
   // Of rows with bounds:
   std::vector<char> active;     // by row: whether it is solved; empty if all are
   PerBlock<M, BlockOf> masked;  // bounded blocks without their inactive rows
