@@ -43,7 +43,9 @@ inline std::array<double, 2> pressing_normals(const NormalRows& rows, const Rows
   if (alone0 >= 0 && rate[1] + rows.A01 * (alone0 - lambda[0]) - rows.A11 * lambda[1] >= 0) return {alone0, 0};
   const double alone1 = rows.A11 > 0 ? lambda[1] - (rate[1] - rows.A01 * lambda[0]) / rows.A11 : 0.0;
   if (alone1 >= 0 && rate[0] + rows.A01 * (alone1 - lambda[1]) - rows.A00 * lambda[0] >= 0) return {0, alone1};
-  return {0, 0};
+  if (!(alone0 > 0 || alone1 > 0)) return {0, 0};
+  // One end neither presses nor parts, and rounding has refused both ways to say so.
+  return {std::max(0.0, first), std::max(0.0, second)};
 }
 
 }  // namespace byhand

@@ -145,4 +145,27 @@ TEST(ContactManifold, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyP
   }
 }
 
+// λ >= 0, w = r + A(λ - λ₀) >= 0 and λ·w = 0, also where an end neither presses nor parts, and in any unit.
+TEST(ContactManifold, PressingNormalsSolveTheComplementarityProblem) {
+  struct Normals {
+    double A00, A01, A11;
+  };
+  for (const auto& [A00, A01, A11] : {Normals{2, 1, 2}, {3, -1, 1}, {3, 2, 2}, {7, 3, 5}, {1, 1, 1}, {3, 0, 0}})
+    for (int i = 0; i < 9 * 9 * 16; ++i) {
+      const double lambda[] = {0.1 * (i % 4), A11 > 0 ? 0.1 * (i / 4 % 4) : 0};
+      const bool alike = A00 == A11 && A01 == A11;  // the two ends are one
+      const Rows<3> rate(0.1 * (i / 16 % 9 - 4), A11 == 0 ? 0 : 0.1 * ((alike ? i / 16 % 9 : i / 144) - 4), 0);
+      const auto next = pressing_normals(NormalRows(A00, A01, A11, false), rate, lambda);
+      const double d0 = next[0] - lambda[0], d1 = next[1] - lambda[1];
+      const double w[] = {rate[0] + A00 * d0 + A01 * d1, rate[1] + A01 * d0 + A11 * d1};
+      for (int k = 0; k < 2; ++k) {
+        EXPECT_GE(next[k], 0);
+        EXPECT_NEAR(std::min(next[k], w[k]), 0, 1e-14) << A00 << ' ' << A01 << ' ' << A11 << ", case " << i;
+      }
+      for (const double unit : {0x1p-50, 0x1p50})
+        EXPECT_EQ(pressing_normals(NormalRows(unit * A00, unit * A01, unit * A11, false), unit * rate, lambda),
+                  next);
+    }
+}
+
 }  // namespace faces_test
