@@ -87,6 +87,40 @@ TEST(LawB13, EveryMethodKeepsThemAtAnySpin) {
   expect_kept(Avbd{});
 }
 
+// The names of the axes mean nothing, and the rule asks for no moments that a body can have.
+TEST(LawB13, ImplicitlyTheyStayWhicheverAxisIsWhich) {
+  for (const Eigen::Vector3d& I : {moments, Eigen::Vector3d(1, 0.3, 0.02), Eigen::Vector3d(1, 20, 30)})
+    for (const double angle : {0.05, 0.3, 2.0, 30.0}) {
+      Eigen::Vector3d first;
+      for (int shift = 0; shift < 3; ++shift) {
+        const auto shifted = [&](const Eigen::Vector3d& v) {
+          return Eigen::Vector3d(v[(3 - shift) % 3], v[(4 - shift) % 3], v[(5 - shift) % 3]);
+        };
+        Scene<M> scene = free_top(moments, shifted(angle / h * Eigen::Vector3d(0.6, -0.64, 0.48)));
+        scene.set_mass(0, {1, shifted(I.cwiseInverse())});
+        Top turning{scene, {Direct{}, NoDriftCure{}, 1, Gyroscopic::implicit}};
+        const Worst worst = after(turning, 20 * h);
+        EXPECT_LT(worst.energy, 1e-13) << angle << ' ' << I.transpose();
+        EXPECT_LT(worst.momentum, 1e-12) << angle << ' ' << I.transpose();
+        run(turning, 5 * h, h);
+        const Eigen::Vector3d spin = spin_of(turning) * h / angle;
+        if (shift == 0) first = spin;
+        EXPECT_LT((spin - shifted(first)).norm(), 1e-9) << angle << ' ' << I.transpose();
+      }
+    }
+}
+
+// It needs no turn to be followed, so that none is too fast.
+TEST(LawB13, ASpinAboutAPrincipalAxisStaysToTheLastBitHoweverFast) {
+  for (const double speed : {0.7, 700.0, 7e9})
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d spin = speed * Eigen::Vector3d::Unit(axis);
+      Top turning = top(Gyroscopic::implicit, spin);
+      turning.step(h);
+      EXPECT_EQ(turning.scene.bodies().velocity[0].tail<3>(), spin);
+    }
+}
+
 // In parts of a step of 1 rad its wobble is as much too fast as in steps of 1 rad, however far the whole step
 // turns.
 TEST(LawB13, InALongStepATopTurnsOverAsOftenAsInStepsOfARadian) {
