@@ -109,6 +109,28 @@ TEST_IN_BOTH_BODIES(Crank, ABodyThatIsWeldedToATurningOneCirclesWithItAndPullsBy
   check(Accelerations{Scheme::implicit_midpoint}, 1e-4);
 }
 
+// What moves by itself is where it is at the time of each substep.
+TEST_IN_BOTH_BODIES(Crank, OfAWheelThatTurnsSubstepsAreSteps) {
+  Velocity<M> turning = Velocity<M>::Zero();
+  turning[M::dof - 1] = 5;
+  Scene<M> scene;
+  const int wheel = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>(), turning);
+  const int bar = scene.add_body(Linear<M>(1.5 * Linear<M>::Unit(0)), random.mass<M>(), random.velocity<M>());
+  scene.add(pin<M>(scene.bodies(), wheel, bar, Linear<M>(Linear<M>::Unit(0))));
+  const auto check = [&](auto method) {
+    Simulation whole{scene, method};
+    method.substeps = 4;
+    Simulation cut{scene, method};
+    run(whole, 1, 1.0 / 256);
+    run(cut, 1, 1.0 / 64);
+    EXPECT_LT((whole.scene.bodies().pose[bar].position - cut.scene.bodies().pose[bar].position).norm(), 1e-12);
+  };
+  for (const JointRule rule : {JointRule::semi_implicit_euler, JointRule::rk4}) check(Generalised{rule});
+  for (const Scheme scheme : {Scheme::explicit_euler, Scheme::rk4, Scheme::implicit_midpoint})
+    check(Accelerations{scheme});
+  check(Rattle{});
+}
+
 /// A slider-crank whose crank, body 1, is a wheel that turns steadily, with the rod pinned to it.
 Scene<PlaneBody> turned_crank(const SliderCrankOptions& options) {
   using M = PlaneBody;
