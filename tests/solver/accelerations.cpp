@@ -1,6 +1,7 @@
 #include "lessons/methods/accelerations.hpp"
 
 #include "lessons/exact/double_pendulum.hpp"
+#include "lessons/methods/rattle.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/circle.hpp"
 #include "lessons/scenes/top.hpp"
@@ -165,6 +166,19 @@ TEST(Accelerations, RefusesRowsThatRepeatAndLeavesTheSceneAlone) {
 
 TEST(Accelerations, RefusesAnImplicitStepThatIsTooLongAndLeavesTheSceneAlone) {
   expect_no_convergence(pendulum<PlaneParticle>(2, 2, 3), midpoint, 10);
+}
+
+TEST(Equalities, AreSolvedOnceForEachSlopeAndAllRowsEachTime) {
+  const auto expect_solves = [](const auto& method, int solves) {
+    Simulation simulation{rod_chain<PlaneParticle>({.links = 7, .angle = 1}), method};
+    run(simulation, 5 * h, h);
+    EXPECT_EQ(simulation.work.executed.solves, 5 * solves);
+    EXPECT_EQ(simulation.work.executed.prepared_rows, 7 * 5 * solves);
+  };
+  expect_solves(explicit_euler, 1);
+  expect_solves(rk4, 4);
+  expect_solves(Accelerations{.scheme = Scheme::rk4, .substeps = 3}, 12);
+  expect_solves(Rattle{.substeps = 3}, 4);  // one at the start
 }
 
 }  // namespace accelerations_test

@@ -297,6 +297,12 @@ TEST(Controlled, ASubstepThatIsTakenBackLeavesNothing) {
   expect_taken_back_wholly<Generalised>(top().scene, 1e-9);
 }
 
+TEST(Controlled, TellsTheForceOfItsLastSubstep) {
+  Simulation simulation{particle_on_a_circle<PlaneParticle>(2, 5, 3), Controlled<Rattle>{1e-4}};
+  run(simulation, 1, 1.0 / 60);
+  EXPECT_NEAR(force(simulation.work, 0), -3 * 5.0 * 5.0 / 2, 1e-2);
+}
+
 TEST(Controlled, KeepsItsSubstepBetweenFrames) {
   const auto keeps = [](auto method, double tolerance) {
     method.tolerance = tolerance;

@@ -128,8 +128,8 @@ void expect_survived(Simulation<M, Method> simulation, double step, const Scene<
 
 // Also where every body is infected by the end.
 TEST(NotFinite, NamesTheBodyThatBeganIt) {
-  for (const Method& any :
-       {methods[0], methods[1], methods[3], methods[5], methods[12], methods[14], methods[15], methods[17]})
+  for (const Method& any : {methods[0], methods[1], methods[3], methods[5], methods[12], methods[14], methods[15],
+                            methods[16], methods[17]})
     std::visit(
         [](const auto& method) {
           Simulation simulation{pinned_chain<PlaneBody>({.links = 4, .angle = 1}), method};
