@@ -28,7 +28,23 @@ TEST(Elimination, OfASheetCostsAsTheCubeOfItsSide) {
     const Elimination plan = plan_elimination(sheet(n), 3, 1LL << 40);
     EXPECT_LT(plan.multiplications, 80LL * n * n * n) << n;
     EXPECT_EQ(plan.order.size(), 2U * n * (n - 1)) << n;
+    EXPECT_GE(plan.planned, std::ssize(plan.targets)) << n;
   }
+}
+// Each of n blocks of s rows is inverted and, but for the last, goes once into L and once into its neighbour.
+TEST(Elimination, OfAChainIsAFactorOfOneBand) {
+  for (const int n : {1, 2, 50})
+    for (const int s : {1, 2, 3, 6}) {
+      Graph graph{n, {{Edge::no_body, 0, s}}};
+      for (int i = 1; i < n; ++i) graph.edges.push_back({i - 1, i, s});
+      const Elimination plan = plan_elimination(graph, 6, 1LL << 40);
+      const int again = n * s * s + 2 * (n - 1) * s * s;
+      EXPECT_EQ(plan.multiplications_again, again);
+      EXPECT_EQ(plan.multiplications, n * s * s * s + 2 * (n - 1) * s * s * s + again);
+      EXPECT_EQ(plan.values, n * s * s + (n - 1) * s * s);
+      EXPECT_TRUE(plan.fill_in.empty());
+      EXPECT_EQ(plan.edge_size, s);
+    }
 }
 TEST(Elimination, GivesUpBeforeItCountsTooMuch) {
   Random random;
@@ -205,6 +221,14 @@ TEST(SingularSystem, IsFoundWhateverTheUnitOfMass) {
     scene.remove(1);
     EXPECT_NO_THROW(solved(scene, Direct{})) << mass;
   }
+}
+
+TEST_IN_ALL_MODELS(ByGraph, SolvesALoopWhateverItsSmallestPivot) {
+  const Scene<M> loop = ring<M>(random, 5);
+  const auto softened = solved(loop, Direct{.regularisation = 1e-7}),
+             choosy = solved(loop, ByGraph{.loopless = {.smallest_pivot = 1}});
+  EXPECT_LE(difference(choosy.velocity, softened.velocity), 1e-12);
+  EXPECT_TRUE(choosy.converged);
 }
 
 /// The velocity after a step of a particle on rods that are too short from two fixed points, which comes first or

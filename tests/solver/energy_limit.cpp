@@ -4,6 +4,7 @@
 
 #include "solver/constraints/hinge.hpp"
 #include "solver/constraints/motor.hpp"
+#include "solver/constraints/weld.hpp"
 #include "solver/direct/correction_limit.hpp"
 #include "tests/solver/solving.hpp"
 
@@ -158,6 +159,29 @@ TEST_IN_BOTH_BODIES(PushedEnergy, OfAGroundThatRisesIsThatOfItsSpeed, 10) {
   scene.set_shape(scene.add_body(point<M>(0, 0), fixed<M>(), V), HalfSpace<M>{point<M>(0, 1)}, {});
   scene.set_shape(scene.add_body(point<M>(0, 0.5 + gap), ball<M>(mass, 0.5)), Ball<M>{0.5}, {});
   EXPECT_NEAR(Written<M>(scene).pushed(), 1.01 * 0.5 * mass * rise * rise, 1e-9 * mass);
+}
+
+// Whatever the overlap asks back: it parts faster by itself.
+TEST_IN_BOTH_BODIES(PushedEnergy, OfAGroundThatFallsAwayIsNone, 10) {
+  Scene<M> scene;
+  const Velocity<M> falling = -random.uniform(2, 4) * Velocity<M>::Unit(1);
+  scene.set_shape(scene.add_body(point<M>(0, 0), fixed<M>(), falling), HalfSpace<M>{point<M>(0, 1)}, {});
+  scene.set_shape(scene.add_body(point<M>(0, 0.5 - random.uniform(0, 0.02)), ball<M>(1, 0.5)), Ball<M>{0.5}, {});
+  EXPECT_EQ(Written<M>(scene).pushed(), 0);
+}
+
+// A body that is welded on by its centre, and turned by φ, is asked to turn at βφ/h, and nothing else.
+TEST(PushedEnergy, OfAWeldThatIsTurnedIsThatOfItsTurn) {
+  using M = PlaneBody;
+  const double mass = 3, moment = 0.7, angle = 0.01;
+  Scene<M> scene;
+  scene.gravity.setZero();
+  scene.add_body(point<M>(0, 0), fixed<M>());
+  scene.add_body(point<M>(2, 0), with_mass<M>(mass, Angular<M>(moment)));
+  scene.add(weld<M>(scene.bodies(), 0, 1, point<M>(2, 0)));
+  scene.state().pose[1].rotation = plane_rotation(angle);
+  const double rate = 0.2 * angle / time_step;
+  EXPECT_NEAR(Written<M>(scene).pushed(), 1.01 * 0.5 * moment * rate * rate, 1e-9);
 }
 
 // Without what they push with, rows ask for what bodies have that move: two-sided ones for JV = 0 of those, and
