@@ -176,15 +176,22 @@ TYPED_TEST_SUITE(RowsAgainstContacts, Bodies);
 
 // A rod of this length from a point 3 m above the middle of a box on the ground: beyond 3 m it cannot be met.
 template <class M>
-Seen pressed(double length, double friction) {
+Scene<M> rod_on_crate(double length, double friction, double scale = 1) {
   Scene<M> scene;
+  scene.gravity *= scale;
+  scene.set_margin(scale * scene.colliders().margin);
   scene.set_shape(scene.add_body(point<M>(0, 0), fixed<M>()), HalfSpace<M>{point<M>(0, 1)}, {friction});
-  const int point_above = scene.add_body(point<M>(0, 3.5), fixed<M>());
-  const Linear<M> sides = Linear<M>::Constant(1);
-  const int crate = scene.add_body(point<M>(0, 0.5), box<M>(1, sides));
+  const int point_above = scene.add_body(point<M>(0, 3.5 * scale), fixed<M>());
+  const Linear<M> sides = Linear<M>::Constant(scale);
+  const int crate = scene.add_body(point<M>(0, 0.5 * scale), box<M>(1, sides));
   scene.set_shape(crate, Box<M>{sides}, {friction});
-  scene.add(NormalisedDistance<M>{{point_above, crate}, length});
-  Simulation<M> simulation{std::move(scene)};
+  scene.add(NormalisedDistance<M>{{point_above, crate}, scale * length});
+  return scene;
+}
+template <class M>
+Seen pressed(double length, double friction) {
+  Simulation<M> simulation{rod_on_crate<M>(length, friction)};
+  const int crate = 2;
   Seen seen;
   for (int i = 0; i < 600; ++i) {
     simulation.step(1.0 / 60);
@@ -270,6 +277,20 @@ TYPED_TEST(RowsAgainstContacts, ArePressedNoFasterThanTheyAsk) {
       const Seen seen = pressed<TypeParam>(length, friction);
       EXPECT_LE(seen.fastest, 4 * seen.asked + 0.5) << length << ' ' << friction;
       EXPECT_GT(seen.unconverged, 0) << length << ' ' << friction;
+    }
+}
+
+// The ground lets the box give way by nothing, so that the damping alone answers: λ = b/(.04/m), however small all
+// is, and does not grow.
+TYPED_TEST(RowsAgainstContacts, PressByWhatTheirDampingAllows) {
+  for (const double scale : {1.0, 0x1p-12, 0x1p12})
+    for (const double length : {3.05, 3.2, 4.0}) {
+      Simulation<TypeParam> simulation{rod_on_crate<TypeParam>(length, 0.6, scale)};
+      for (int i = 1; i <= 120; ++i) {
+        simulation.step(1.0 / 60);
+        if (i < 60) continue;
+        EXPECT_NEAR(std::abs(simulation.impulse(0)[0]) / (25 * 0.2 * 60 * scale * (length - 3)), 1, 0.01) << i;
+      }
     }
 }
 
