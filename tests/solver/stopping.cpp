@@ -229,6 +229,43 @@ TEST_IN_ALL_MODELS(Stopping, EndsAtOnceWhereAllDriftsAtOneSpeed) {
   }
 }
 
+// Of a motor, whose row has no lever, what is pushed is a moment.
+TEST_IN_BOTH_BODIES(ConjugateSweeps, SaveSweepsAlsoOnRowsThatOnlyTurn) {
+  Scene<M> scene;
+  for (int i = 0; i < 20; ++i) {
+    scene.add_body(random.pose<M>().position, ball<M>(random.uniform(1, 2), 0.3), random.velocity<M>());
+    if (i == 0) continue;
+    Turn<M> turn{i - 1, i};
+    if constexpr (M::angular == 3) turn.axis = Linear<M>::Unit(0);
+    scene.add(motor(turn, 1, 1e9));
+  }
+  const auto passes = [&](const AnyRowSolver& solver) {
+    Simulation<M, AnyStepping> simulation{scene, {solver}};
+    simulation.step(time_step);
+    EXPECT_TRUE(simulation.work.solution.converged);
+    return simulation.work.solution.passes;
+  };
+  EXPECT_LT(2 * passes(ConjugateSweeps{.sweeps = 10000, .tolerance = 1e-9}),
+            passes(GaussSeidel{.sweeps = 10000, .tolerance = 1e-9}));
+}
+
+// Two rods have two eigenvalues; what iterations after that change is rounding, most of all of the second rod's λ,
+// which is to vanish.
+TEST(ConjugateGradients, StopAtRoundingWithoutATolerance) {
+  using M = PlaneParticle;
+  for (const double angle : {0.3, 1.1, 2.2, 3.7}) {
+    const Linear<M> along(std::cos(angle), std::sin(angle));
+    Scene<M> scene;
+    scene.gravity.setZero();
+    for (const double rate : {0.0, 0.74, 0.37})
+      scene.add_body(scene.bodies().size() * along, with_mass<M>(0.7), rate * along);
+    for (const int i : {0, 1}) scene.add(NormalisedDistance<M>{{i, i + 1}, 1});
+    Simulation<M, AnyStepping> simulation{scene, {ConjugateGradients{.iterations = 1000, .tolerance = 0}}};
+    simulation.step(time_step);
+    EXPECT_EQ(simulation.work.solution.passes, 2);
+  }
+}
+
 TEST(ActiveSet, IsAcceptedByTheResidual) {
   int converged = 0;
   in_models<PlaneBody, SpaceBody>(
@@ -239,6 +276,9 @@ TEST(ActiveSet, IsAcceptedByTheResidual) {
         advance(scene, AnyStepping{Direct{.regularisation = 1e-9}}, time_step, work);
         const double left = residual(work.system, scene.bodies().velocity);
         EXPECT_EQ(work.solution.converged, left <= 1e-8);
+        if (work.solution.rounds < 20) {
+          EXPECT_EQ((work.solution.passes + 2) / 3, work.solution.rounds) << "each of up to three sweeps";
+        }
         converged += work.solution.converged;
       },
       20);
