@@ -2,6 +2,7 @@
 
 #include "lessons/scenes/balls.hpp"
 #include "solver/constraints/contact_manifold.hpp"
+#include "solver/contact/restitution.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"
 
@@ -108,6 +109,31 @@ TEST(LawA9, ASlenderBarGainsNoEnergyByBouncing) {
         run(simulation, 2, h, [&] { most = std::max(most, energy_of_parabolas(simulation.scene, h)); });
         EXPECT_LE(most, (1 + 1e-6) * first) << thickness << ' ' << e << ' ' << friction << ' ' << i;
       }
+}
+
+// A force that is proportional to mass is a weight.
+TEST(LawA9, UnderAForceABarBouncesAsUnderItsWeight) {
+  using M = SpaceBody;
+  const Surface surface{.friction = 0.8, .restitution = 1};
+  const Eigen::Vector3d sides(0.5, 0.05, 0.05);
+  for (int i = 0; i < 40; ++i) {
+    Scene<M> scene;
+    scene.set_shape(scene.add_body(Eigen::Vector3d(0, 0, 0), fixed<M>()), HalfSpace<M>{}, surface);
+    const Pose<M> pose{{0, 0.6, 0}, space_rotation(Eigen::Vector3d(0.24 + 0.1 * i, 0, 0.18))};
+    scene.set_shape(scene.add_body(pose, box<M>(2, sides), {1, -3, 0, 2, 0, 2}), Box<M>{sides}, surface);
+    Simulation<M> weighed{scene, {}}, pulled{scene, {}};
+    pulled.scene.gravity.setZero();
+    for (int step = 0; step < 30; ++step) {
+      pulled.scene.add_force(1, 2 * weighed.scene.gravity);
+      weighed.step(h), pulled.step(h);
+      ASSERT_LT((weighed.scene.bodies().velocity[1] - pulled.scene.bodies().velocity[1]).norm(), 1e-7) << i;
+    }
+  }
+}
+
+TEST(LawA9, OnlyWhatMeetsFasterThanTheThresholdParts) {
+  for (const double speed : {0.1, 0.5}) EXPECT_EQ(parting_rate(0.8, -speed, 0, 0, 0.5), 0);
+  for (const double speed : {0.5000001, 3.0}) EXPECT_DOUBLE_EQ(parting_rate(0.8, -speed, 0, 0, 0.5), 0.8 * speed);
 }
 
 /// A ball in free fall that is thrown back by the article's row, b = e JV, once it overlaps: what the second solve

@@ -108,6 +108,48 @@ TYPED_TEST(LawB16, WhatIsStruckStopsAtTheNextWall) {
     }
 }
 
+// The heavy ball hardly notices: what is struck has to be seen by itself, whichever body it is.
+TYPED_TEST(LawB16, WhatAHeavyBallStrikesAslantStopsAtTheNextWall) {
+  using M = TypeParam;
+  const Linear<M> up = Linear<M>::UnitY();
+  for (const double speed : {5.0, 50.0, 500.0})
+    for (const int struck : {0, 1}) {
+      Scene<M> scene;
+      scene.gravity.setZero();
+      for (int i = 0; i < 2; ++i) {
+        const Linear<M> at = (i == struck ? 0 : -0.071) * (Linear<M>::UnitX() + up);
+        const Velocity<M> V = (i == struck ? 0 : speed) * Velocity<M>::Unit(0);
+        scene.set_shape(scene.add_body(at, ball<M>(i == struck ? 1 : 1e9, 0.05), V), Ball<M>{0.05});
+      }
+      scene.set_shape(scene.add_body(0.2 * up, fixed<M>()), Box<M>{Linear<M>::Constant(100) - 99.999 * up});
+      Simulation<M> simulation{std::move(scene), {}};
+      for (int i = 0; i < 10; ++i) simulation.step(h);
+      EXPECT_LE(simulation.scene.bodies().pose[struck].position.y(), 0.15) << speed;
+    }
+}
+
+TYPED_TEST(LawB16, ABoxStopsOnAPlaneWhereverItLiesAndWhicheverComesFirst) {
+  using M = TypeParam;
+  for (const double height : {-100.0, 100.0})
+    for (const int crate : {0, 1}) {
+      Scene<M> scene;
+      Velocity<M> V = -10 * Velocity<M>::Unit(1);
+      V[M::dof - 1] = 3.5;  // it lands on an edge
+      for (int i = 0; i < 2; ++i) {
+        const Linear<M> at = (height + (i == crate ? 3 : 0)) * Linear<M>::UnitY(), sides = Linear<M>::Ones();
+        if (i == crate)
+          scene.set_shape(scene.add_body(at, box<M>(1, sides), V), Box<M>{sides});
+        else
+          scene.set_shape(scene.add_body(at, fixed<M>()), HalfSpace<M>{Linear<M>::UnitY()});
+      }
+      Simulation<M> simulation{std::move(scene), {}};
+      for (int i = 0; i < 30; ++i) {
+        simulation.step(h);
+        ASSERT_GT(simulation.scene.bodies().pose[crate].position.y(), height + 0.45) << i;
+      }
+    }
+}
+
 // Who began to press within a step is told of it, in as many parts as it may have been taken.
 TYPED_TEST(LawB16, AStepInPartsTellsOfItsTouchesOnce) {
   auto simulation = bar_at_plate<TypeParam>(50, 0.75, 0.5);
