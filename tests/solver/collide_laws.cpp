@@ -176,4 +176,36 @@ TEST(CollideLaws, TouchOnlyWithinTheMargin) {
       2000);
 }
 
+TEST_IN_ALL_MODELS(CollideLaws, APointAtTheMarginCounts) {
+  const double gap = 0.25;
+  std::vector<Shape<M>> shapes{Ball<M>{0.5}};
+  if constexpr (M::angular > 0) shapes.push_back(Box<M>{Linear<M>::Ones()});
+  const Pose<M> above{(1 + gap) * Linear<M>::Unit(1)};
+  for (const Shape<M>& second : shapes) {
+    std::vector<Solid<M>> below{{HalfSpace<M>{Linear<M>::Unit(1)}, {0.5 * Linear<M>::Unit(1)}}};
+    for (const Shape<M>& first : shapes) below.push_back({first, {}});
+    for (const Solid<M>& first : below) {
+      const auto manifold = touch(first, {second, above}, gap);
+      const bool ball = std::holds_alternative<Ball<M>>(first.shape) || std::holds_alternative<Ball<M>>(second);
+      EXPECT_EQ(manifold.size, ball ? 1 : Manifold<M>::capacity);
+      EXPECT_EQ(touch({second, above}, first, gap).size, manifold.size);
+      EXPECT_EQ(least_separation(manifold), gap);
+    }
+  }
+}
+
+TEST_IN_BOTH_BODIES(CollideLaws, BoxesThatTieTakeTheSameOnesFaceInEitherOrder) {
+  const Solid<M> first{Box<M>{Linear<M>::Ones()}, {}};
+  for (int axis = 0; axis < M::linear; ++axis)
+    for (const double side : {-1.0, 1.0})
+      for (int offset = 0; offset < std::pow(3, M::linear); ++offset) {
+        Solid<M> second = first;
+        for (int k = 0, rest = offset; k < M::linear; ++k, rest /= 3)
+          second.pose.position[k] = k == axis ? side : 0.25 * (rest % 3 - 1);
+        const bool of_first = touch(first, second, 0.02).reference <= M::linear,
+                   of_first_swapped = touch(second, first, 0.02).reference > M::linear;
+        EXPECT_EQ(of_first, of_first_swapped) << second.pose.position.transpose();
+      }
+}
+
 }  // namespace collide_laws_test

@@ -55,6 +55,41 @@ TEST(CollideSpace, FeaturesOfEqualBoxesOnEachOtherOutlastSwayAndTilt) {
   }
 }
 
+// Edge i of the one along x and edge j of the other along z are nearest, apart or not.
+TEST(CollideSpace, CrossedEdgesHaveTheirNormalAndItsAxisAsTheReference) {
+  const auto cube = [](double height, int axis, const Vector3d& along) {
+    Eigen::Matrix3d axes;
+    axes.col(axis) = along;
+    axes.col((axis + 1) % 3) = (Vector3d(1, 1, 1) - along).normalized();
+    axes.col((axis + 2) % 3) = along.cross(axes.col((axis + 1) % 3));
+    return Solid<M>{Box<M>{{1, 1, 1}}, {{0, height, 0}, Quaterniond(axes)}};
+  };
+  for (const double gap : {-0.05, 0.1})
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const auto manifold = touch(cube(0, i, {1, 0, 0}), cube(std::sqrt(2) + gap, j, {0, 0, 1}), 0.2);
+        ASSERT_EQ(manifold.size, 1);
+        EXPECT_EQ(manifold.reference, 7u + 3 * i + j);
+        EXPECT_LE((manifold.normal - Vector3d(0, 1, 0)).norm(), rounding);
+        EXPECT_NEAR(least_separation(manifold), gap, rounding);
+      }
+}
+
+// Features 256 + 20 a + b are of two edges or, from 12 on, of the corners at their ends.
+TEST(CollideSpace, CornerToCornerFeaturesAreThoseOfOppositeCorners) {
+  std::set<std::uint32_t> seen;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d to(corner & 1 ? -1.1 : 1.1, corner & 2 ? -1.1 : 1.1, corner & 4 ? -1.1 : 1.1);
+    const auto manifold = touch(box({1, 1, 1}, {0, 0, 0}), box({1, 1, 1}, to), 0.5);
+    ASSERT_EQ(manifold.size, 1);
+    const std::uint32_t feature = manifold.points[0].feature, a = (feature - 256) / 20, b = (feature - 256) % 20;
+    EXPECT_GE(std::min(a, b), 12u);
+    EXPECT_EQ(a - 12 + b - 12, 7u);
+    seen.insert(feature);
+  }
+  EXPECT_EQ(seen.size(), 8u);
+}
+
 TEST(CollideSpace, FeaturesDoNotDependOnWhichBoxIsTheReference) {
   Random random;
   for (int draw = 0; draw < 1000; ++draw) {
