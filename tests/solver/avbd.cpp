@@ -146,6 +146,7 @@ TEST(Avbd, GainsNoEnergyFromThreeHundredBoxesBetweenWalls) {
 }
 
 TEST(Avbd, BouncesABallByItsRestitution) { expect_bounces(Avbd{}, h / 16); }
+TEST(Avbd, BouncesBallsOffEachOther) { expect_balls_bounce_off_each_other(Avbd{}, h, 5e-3); }
 
 TEST(Avbd, AllocatesInNoStepOnceAScenesRowsAreLaidOut) {
   expect_no_allocation(rod_chain<PlaneParticle, NormalisedDistance>({.links = 3, .angle = 1}), Avbd{});

@@ -105,6 +105,30 @@ void expect_bounces(const Method& method, double h) {
   EXPECT_NEAR(peaks[1], 1.0 / 16, 0.005);
 }
 
+/// Two balls that meet, neither of them fixed, keep momentum and part at half the speed; no push is left over.
+template <class Method>
+void expect_balls_bounce_off_each_other(const Method& method, double h, double tolerance) {
+  for (const double fast : {3.0, -3.0}) {
+    Scene<PlaneBody> scene;
+    scene.gravity.setZero();
+    for (const bool first : {true, false}) {
+      const Linear<PlaneBody> at(first ? -fast / 3 : 0.3, 0);
+      const int body = scene.add_body(at, ball<PlaneBody>(first ? 1 : 3, 0.5), {first ? fast : 0.2 * fast, 0, 0});
+      scene.set_shape(body, Ball<PlaneBody>{0.5}, {.friction = 0, .restitution = 0.5});
+    }
+    Simulation<PlaneBody, Method> simulation{scene, method};
+    run(simulation, 1, h, [&] {
+      const auto& V = simulation.scene.bodies().velocity;
+      ASSERT_NEAR(V[0].x() + 3 * V[1].x(), 1.6 * fast, tolerance);
+      if (fast * (V[1].x() - V[0].x()) > 0) {
+        for (const double lambda : simulation.work.system.lambda) ASSERT_EQ(lambda, 0);
+      }
+    });
+    const auto& V = simulation.scene.bodies().velocity;
+    EXPECT_NEAR((V[1].x() - V[0].x()) / fast, 0.4, tolerance);
+  }
+}
+
 /// Nothing is allocated once a scene has been laid out.
 template <class M, class Method>
 void expect_no_allocation(const Scene<M>& scene, const Method& method) {

@@ -124,6 +124,7 @@ TEST(Xpbd, LetsFiveBoxesInSpaceStand) {
 }
 
 TEST(Xpbd, BouncesABallByItsRestitution) { expect_bounces(Xpbd{}, h / 4); }
+TEST(Xpbd, BouncesBallsOffEachOther) { expect_balls_bounce_off_each_other(Xpbd{}, h, 1e-12); }
 
 TEST(Xpbd, PushesAnOverlapOutNoFasterThanItsPushSpeed) {
   for (const double push : {0.5, 1.0}) {
