@@ -135,6 +135,7 @@ TEST_IN_ALL_MODELS(Constraint, MustJoinTwoBodiesOfTheScene) {
   subject.refuses("body index is 3", allowed, [&] { scene.add(Contact<M>{{0, 3}}); });
   subject.refuses("body index is 1", "another one", [&] { scene.add(Pin<M>{{1, 1}}); });
   subject.refuses("body index is 5", allowed, [&] { pin<M>(scene.bodies(), 0, 5, Linear<M>::Zero()); });
+  subject.refuses("body index is -2", allowed, [&] { pin<M>(scene.bodies(), -2, 1, Linear<M>::Zero()); });
   if constexpr (M::angular > 0) {
     subject.refuses("body index is 9", allowed,
                     [&] { axis_in<M>(scene.bodies(), 9, Linear<M>(Linear<M>::Unit(0))); });
@@ -143,6 +144,18 @@ TEST_IN_ALL_MODELS(Constraint, MustJoinTwoBodiesOfTheScene) {
     far.at.arms.second[1] = infinity;
     subject.refuses("arm is inf", "finite number [m]", [&] { scene.add(far); });
   }
+}
+
+// Whoever names no bodies has named one twice.
+TEST_IN_ALL_MODELS(Constraint, MustNameItsBodies) {
+  Subject<M> subject;
+  auto& scene = subject.scene;
+  const auto refused = [&](const auto& constraint) {
+    subject.refuses("body index is 0", "another one", [&] { scene.add(constraint); });
+  };
+  refused(Distance<M>{}), refused(NormalisedDistance<M>{}), refused(Rope<M>{}), refused(Spring<M>{});
+  refused(Pin<M>{}), refused(Contact<M>{}), refused(Friction<M>{});
+  if constexpr (M::angular == 1) refused(motor(Turn<M>{}, 1, 1)), refused(at_least(-1.0, Turn<M>{}));
 }
 
 TEST_IN_ALL_MODELS(Rod, MustHaveALengthAndADirection) {
@@ -211,6 +224,9 @@ TEST(Margin, MustBePositiveAndFinite) {
   for (const double bad : {0.0, -1.0, infinity, nan})
     subject.refuses(fmt::format("contact margin is {}", bad), "positive finite number [m]",
                     [&] { subject.scene.set_margin(bad); });
+  for (const double bad : {-1.0, infinity, nan})
+    subject.refuses(fmt::format("lookahead is {}", bad), "between 0 and",
+                    [&] { subject.scene.set_margin(0.02, bad); });
 }
 
 TEST_IN_ALL_MODELS(Friction, MustFollowAContactWithUnitTangentsAndACoefficient) {

@@ -181,6 +181,7 @@ TEST(BadInput, OfLimitsMotorsAndServosIsRefusedInOneSentence) {
   refused(servo<M>(q, 0, {0, 1}, 1), "stiffness is 0");
   refused(servo<M>(q, 0, {1, -1}, 1), "damping is -1");
   refused(servo<M>(q, 4, {1, 1}, 1), "target of the servo is 4");
+  refused(servo<M>(q, 0, {1, 1}, -1), "strength of the servo is -1");
   EXPECT_THROW(Swing<SpaceBody>::require_place("place of the stop", 0), std::invalid_argument);
   Turn<M> bad = q;
   bad.body2 = 7;
