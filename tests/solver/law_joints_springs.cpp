@@ -67,6 +67,15 @@ TEST(LawB11, AloneItIsImplicitEulerOnASpring) {
   });
 }
 
+// Whose damping is not given has none: v₁ = (v + hg - hω²C)/(1 + ω²h²).
+TEST(LawB11, ASpringIsUndampedUnlessItsDampingIsGiven) {
+  Hanging simulation = on_spring(2, 1, 1);
+  simulation.scene.change_all<Spring>([](auto& spring) { spring.elastic = {.stiffness = 800}; });
+  simulation.scene.state().pose[1].position.y() = -1.3;
+  simulation.step(h);
+  EXPECT_NEAR(-simulation.scene.bodies().velocity[1].y(), h * (g - 400 * 0.3) / (1 + 400 * h * h), 1e-13);
+}
+
 TEST(LawRope, FallsFreelyWhileSlackAndStopsAtItsLength) {
   Hanging simulation{{}, {GaussSeidel{}}};
   auto& scene = simulation.scene;
