@@ -84,9 +84,7 @@ template <class M>
 bool ContactManager<M>::find(const Scene<M>& scene, double step) {
   if (scene.colliders().shapes.empty()) {
     const bool had_any = !pairs_.empty();
-    pairs_.clear();
-    constraints_.clear();
-    version_ = 0;
+    pairs_.clear(), constraints_.clear(), version_ = 0;
     return had_any;
   }
   const bool unchanged = version_ == scene.version();

@@ -17,18 +17,12 @@ constexpr double negligible = 0.01;     // of what else the rows do
 template <class M>
 bool is_suspect(const System<M>& system, const DirectWork<M>& work) {
   double together = 0, apart = 0, sum = 0;
-  for (const auto& node : work.plan.nodes) {
-    if (node.edge < 0) continue;
-    for (int k = 0; k < node.size; ++k) {
-      const double r = work.right[node.lambda + k], A = work.diagonal[node.row + k];
-      if (A == 0) continue;
-      together += r * system.lambda[node.lambda + k];
-      apart += r * r / A;
-      sum += std::abs(r) / std::sqrt(A);
+  for (const auto& node : work.plan.nodes)
+    for (int k = 0; node.edge >= 0 && k < node.size; ++k) {
+      const double r = work.right[node.lambda + k], A = work.diagonal[node.row + k], x = r / std::sqrt(A);
+      if (A > 0) together += r * system.lambda[node.lambda + k], apart += x * x, sum += std::abs(x);
     }
-  }
-  const double rows = sum * sum / apart;
-  return together > 4 * rows * rows * apart;
+  return together * apart > 4 * sum * sum * sum * sum;
 }
 
 /// The largest speed that impulses give to a body.
@@ -65,9 +59,8 @@ bool limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& 
   solve_again(correction, work, change);
   const double speeds = asked(system, bodies, correction);
   if (fastest(system, bodies, change, work.velocity_before) <= most_amplified * speeds) return false;
-  std::vector<double>& rest = work.lambda_before;
-  rest.resize(system.rows());
-  for (int k = 0; k < system.rows(); ++k) rest[k] = system.lambda[k] - change[k];
+  std::vector<double>& rest = work.lambda_before = system.lambda;
+  for (int k = 0; k < system.rows(); ++k) rest[k] -= change[k];
   if (speeds <= negligible * fastest(system, bodies, rest, work.velocity_before)) return false;
   Direct damped = solver;
   damped.regularisation = std::max(solver.regularisation, damping);
