@@ -157,9 +157,9 @@ std::vector<Point> front(std::vector<Point> all) {
 /// others, but a later version of one of those has its place, and this course is the first of both.
 int place_of(std::size_t member, Party party) {
   const std::vector<Engine> natives = members(Party::native);
-  if (const Engine one = members(party)[member]; one.name == "MuJoCo 3")
-    for (std::size_t i = 0; i < natives.size(); ++i)
-      if (natives[i].name == "MuJoCo") return static_cast<int>(i);
+  const std::string earlier = members(party)[member].earlier;
+  for (std::size_t i = 0; i < natives.size(); ++i)
+    if (natives[i].name == earlier) return static_cast<int>(i);
   const std::size_t before = member > 0 && party == Party::webassembly ? natives.size() - 1 : 0;
   return static_cast<int>(before + member);
 }

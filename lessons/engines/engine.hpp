@@ -50,6 +50,7 @@ enum class Home { plane, space, both };
 struct Engine {
   std::string name;          // "Box2D 3"
   std::string version = {};  // "3.2.0"; none of this course
+  std::string earlier = {};  // the name of an earlier version that takes part, too
   std::string method = {};   // how it solves, in a few words
   std::string file = {};     // of its settings, from the root of the repository
   Home home = Home::space;

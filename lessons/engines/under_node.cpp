@@ -263,6 +263,7 @@ struct Found {
          .in_plane = in_host<PlaneBody>("rapier")});
     add({.name = "MuJoCo 3",
          .version = version_of("@mujoco/mujoco"),
+         .earlier = "MuJoCo",
          .method = mujoco_method,
          .file = "lessons/engines/settings/mujoco.cpp",
          .home = Home::both,
