@@ -1,7 +1,5 @@
 #include "solver/direct/correction_limit.hpp"
 
-#include <cmath>
-
 #include "solver/rows/operators.hpp"
 #include "solver/support/each_model.hpp"
 
@@ -12,17 +10,16 @@ constexpr double most_amplified = 2.5;  // 1 / (2 √damping)
 constexpr double negligible = 0.01;     // of what else the rows do
 
 /// Whether the rows' impulses together take so much more energy than one by one that near dependence may be why:
-/// λᵀr against Σ x², for λ = A⁻¹r and x = r/√Aₖₖ. A chain's ratio grows with the square of its length; here
-/// (Σ|x|)²/Σ x² rows ask, so that those that ask nothing do not hide a few that cannot be met.
+/// λᵀr against Σ r²/Aₖₖ, for λ = A⁻¹r. A chain's ratio grows with the square of its length, also if one row asks.
 template <class M>
 bool is_suspect(const System<M>& system, const DirectWork<M>& work) {
-  double together = 0, apart = 0, sum = 0;
+  double together = 0, apart = 0;
   for (const auto& node : work.plan.nodes)
     for (int k = 0; node.edge >= 0 && k < node.size; ++k) {
-      const double r = work.right[node.lambda + k], A = work.diagonal[node.row + k], x = r / std::sqrt(A);
-      if (A > 0) together += r * system.lambda[node.lambda + k], apart += x * x, sum += std::abs(x);
+      const double r = work.right[node.lambda + k], A = work.diagonal[node.row + k];
+      if (A > 0) together += r * system.lambda[node.lambda + k], apart += r * r / A;
     }
-  return together * apart > 4 * sum * sum * sum * sum;
+  return together > 4.0 * system.rows() * system.rows() * apart;
 }
 
 /// The largest speed that impulses give to a body.
