@@ -74,6 +74,7 @@ struct NamedScene {
   Duty duty = Duty::hold;
   bool keeps_energy = true;
   EnergyOfTruth energy = {};
+  double energy_scale = 0;               // by which changes of energy are measured [J]; 0: that of the scene
   bool keeps_spin = false;               // angular momentum about the vertical through the origin
   std::string size = {};                 // the parameter that is the length of a body; empty: `body`
   double body = 1;                       // that length where it is no parameter [m]

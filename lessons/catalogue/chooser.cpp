@@ -145,7 +145,8 @@ class Choosing {
   void tell_others(const std::vector<Candidate>& kept);
   void coarsen();
   void tighten(const std::vector<Candidate>& kept);
-  std::optional<Point> tighter(double share, const std::vector<const Family*>& able, double until);
+  std::optional<Point> tighter(double share, const std::vector<const Family*>& able, double until,
+                               double bound = INFINITY);
 
   const Problem& problem_;
   const Wish& wish_;
@@ -387,10 +388,12 @@ void Choosing::tighten(const std::vector<Candidate>& kept) {
     if (one.point.family && one.point.outcome != Outcome::refused &&
         std::find(able.begin(), able.end(), one.point.family) == able.end())
       others.push_back(one.point.family);
-  // Where none of them does, all others, for a fifth of what is left.
+  // Of what is left half is for all others, where they are a good deal cheaper.
   const auto either = [&](double part, double until) {
-    auto found = tighter(part, able, 0.8 * until + 0.2 * work());
-    return found || others.empty() ? found : tighter(part, others, until);
+    const auto first = tighter(part, able, 0.5 * (until + work()));
+    const auto other =
+        others.empty() ? std::nullopt : tighter(part, others, until, first ? first->cost / 1.2 : INFINITY);
+    return other && !(first && first->cost <= other->cost) ? other : first;
   };
   choice_.robust = either(0.5, by_robust_);
   choice_.finer = either(0.1, by_finer_);
@@ -398,8 +401,9 @@ void Choosing::tighten(const std::vector<Candidate>& kept) {
     choice_.robust = choice_.finer;
 }
 
-/// The cheapest of these methods that keeps that share of the limits.
-std::optional<Point> Choosing::tighter(double part, const std::vector<const Family*>& able, double until) {
+/// The cheapest of these methods that keeps that share of the limits, at a cost of at most `bound`.
+std::optional<Point> Choosing::tighter(double part, const std::vector<const Family*>& able, double until,
+                                       double bound) {
   Contest tight{wish_, first_starts_, first_numbers(starts_), starts_};
   for (auto& [error, limit] : tight.wish.limits) limit *= part;
   tight.wish.budget = nullptr;
@@ -412,10 +416,12 @@ std::optional<Point> Choosing::tighter(double part, const std::vector<const Fami
     const double each = share(until, able.size());
     search_.side_by_side(static_cast<int>(able.size()), [&](int i) {
       const auto at = static_cast<std::size_t>(i);
-      again[at] = found_by(tight, *able[at], times * choice_.best.point.cost, each, spent[at]);
+      again[at] = found_by(tight, *able[at], std::min(bound, times * choice_.best.point.cost), each, spent[at]);
     });
     for (const Spent& one : spent) choice_.spent += one;
-    if (std::any_of(again.begin(), again.end(), [](const Candidate& one) { return one.reached; })) break;
+    if (times * choice_.best.point.cost >= bound ||
+        std::any_of(again.begin(), again.end(), [](const Candidate& one) { return one.reached; }))
+      break;
   }
   const Verification of_best = choice_.verified;
   const auto best = verified(tight, again, 1, until);

@@ -119,7 +119,8 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
   AnyScene scene = problem.start();
   scene.use(setting.method);
   const NamedScene& named = problem.scene();
-  const double energy = scene.energy(), scale = scene.energy_scale(), spin = scene.angular_momentum().y();
+  const double energy = scene.energy(), scale = named.energy_scale > 0 ? named.energy_scale : scene.energy_scale(),
+               spin = scene.angular_momentum().y();
   const Prices prices = prices_of(scene.row_kind(), *point.family, point.knobs.cure),
                free = prices_of(scene.row_kind(), "free");
   const Judge judge(problem, scene);

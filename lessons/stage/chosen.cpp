@@ -187,6 +187,11 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
       "scale.",
       request.problem.scene().rests ? "nothing leaves its place by more than half of it, " : "",
       Value(100 * energy_astray, 2));
+  const double open = request.problem.start().separation();
+  if (const auto drift = request.limits.find(Error::drift); drift != request.limits.end() && open > drift->second)
+    return page.text(
+        "**No method can keep that**: as the file begins, a joint is open or bodies overlap by @ m already.",
+        Value(open, 2));
   const auto chosen_within = [&](double seconds) {
     Search search{.most = seconds * pace, .all_errors = false};
     search.verification = search.most / 10;
