@@ -134,23 +134,28 @@ void block_on_a_slope(const Setting& setting, Page& page) {
         if (entrant.name == ours_name) ours.push_back(last.way);
       }
       // With each seed, where there are several.
-      double least = INFINITY, most = 0, slowest = INFINITY;
+      double least = INFINITY, most = 0;
+      int beyond = 0, moving_still = 0;
       const std::vector<Contestant<M>> draws = by_seed(entrant, row);
       for (const Contestant<M>& one : draws) {
         const double way = slide(one, limit - 0.1 * degree, mu).way;
         least = std::min(least, way), most = std::max(most, way);
-        slowest = std::min(slowest, std::abs(slide(one, limit - degree, mu).in_the_last_second));
+        beyond += way > nearly;
+        moving_still += std::abs(slide(one, limit - degree, mu).in_the_last_second) > creep;
       }
-      if (least > nearly) further.push_back(name);
+      const auto of_the_seeds = [&](int count) {
+        return draws.size() > 1 ? say("@ (with @ of @ seeds)", name, count, draws.size()) : name;
+      };
+      if (beyond > 0) further.push_back(of_the_seeds(beyond));
       if (draws.size() > 1)
         chance += say(" With @ seeds @ slides by @ to @ m.", draws.size(), name, Value(least, 3), Value(most, 3));
-      const bool creeps = slowest > creep;
       rows.back().push_back(std::abs(last.in_the_last_second) > creep
                                 ? say("@ mm/s", Value(1000 * last.in_the_last_second, 2))
                                 : std::string("0"));
       if (entrant.name == ours_name) continue;
       ++theirs;
-      if (creeps) ++still_moving, creeping += (creeping.empty() ? "" : "; ") + name;
+      if (moving_still > 0)
+        ++still_moving, creeping += (creeping.empty() ? "" : "; ") + of_the_seeds(moving_still);
     }
   for (const std::size_t row : {0, 1}) rows[row].push_back("0");
   page.text(

@@ -42,7 +42,7 @@ template <class M>
 Field<M> field_of(const Scene<M>& scene, Kind kind, From from, double most_work, Party party) {
   const std::vector<Engine> all = members(party);
   if (all.size() < 2) most_work = 0;  // nobody to be best against
-  Field<M> field{.party = party, .most_work = most_work, .entrants = {}};
+  Field<M> field{.party = party, .kind = kind, .most_work = most_work, .entrants = {}};
   for (const Engine& engine : all)
     if (why_not(engine, scene, from).empty()) field.entrants.push_back(entrant_of<M>(engine, kind, most_work));
   return field;
@@ -205,8 +205,8 @@ std::vector<Point> no_better(std::vector<Point> points, double least) {
   for (Point& point : points) point.error = told(point.error, least);
   return points;
 }
-double margin_of(const Errors& theirs, Unit unit) {
-  return theirs.single && unit == Unit::metres ? float_margin : margin;
+double margin_of(const Errors& theirs, Unit unit, Kind kind) {
+  return theirs.single && unit == Unit::metres && kind == Kind::joints ? float_margin : margin;
 }
 
 }  // namespace
@@ -259,8 +259,9 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
   if (!shipped.x.empty()) chart.curves.push_back(std::move(shipped));
   std::vector<std::pair<std::string, engines::Beside>> beside;
   for (std::size_t i = 1; i < points.size(); ++i)
-    beside.emplace_back(errors[i].name, engines::at_equal_time(no_better(points[i], margin_of(errors[i], unit)),
-                                                               no_better(points[0], margin_of(errors[i], unit))));
+    beside.emplace_back(errors[i].name,
+                        engines::at_equal_time(no_better(points[i], margin_of(errors[i], unit, field.kind)),
+                                               no_better(points[0], margin_of(errors[i], unit, field.kind))));
   if (!beside.empty()) chart.title = title_of(beside, unit, timed.when);
   if (std::any_of(errors.begin(), errors.end(), [](const Errors& one) { return one.best() <= margin; }))
     chart.references.push_back({.axis = Reference::Across::x, .value = margin, .label = "or less"});
@@ -289,7 +290,7 @@ std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>&
     double worst_ahead = 0, worst_level = 0, least = INFINITY, ends = margin;
     std::vector<std::string> ahead, level;
     for (std::size_t i = 1; i < all.size(); ++i) {
-      const double finest = margin_of(all[i], unit), error = told((all[i].*number)(), finest),
+      const double finest = margin_of(all[i], unit, field.kind), error = told((all[i].*number)(), finest),
                    beside = told(own, finest);
       least = std::min(least, error);
       if (engines::equal_errors * error < beside)

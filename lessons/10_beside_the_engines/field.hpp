@@ -13,7 +13,7 @@ using engines::frame;
 using engines::Knobs;
 constexpr double gravity = 9.81;       // [m/s²]
 constexpr double margin = 1e-6;        // [m, rad]: errors below are not compared
-constexpr double float_margin = 4e-6;  // the same beside an engine in single precision [m]: a float of 50 m
+constexpr double float_margin = 4e-6;  // the same of a chain in single precision [m]: a float of 50 m
 constexpr double most_of_a_pendulum = 32, most_in_space = 512;  // iterations a frame that are tried, of joints
 constexpr double most_of_contacts = engines::contact_iterations.back(),
                  most_of_a_wall_in_space = engines::contact_iterations.front();
@@ -32,6 +32,8 @@ struct Entrant {
   std::vector<Contestant<M>> settings;
 };
 
+enum class Kind { joints, contacts };
+
 /// Who meets: in this program, or in WebAssembly under node. A time of one is not compared with one of the other.
 enum class Party { native, webassembly };
 
@@ -39,11 +41,11 @@ enum class Party { native, webassembly };
 template <class M>
 struct Field {
   Party party = Party::native;
+  Kind kind = Kind::joints;
   double most_work = INFINITY;  // iterations a frame of the settings that are tried
   std::vector<Entrant<M>> entrants;
 };
 
-enum class Kind { joints, contacts };
 /// Whether engines of space take part in the plane.
 enum class From { home, everywhere };
 

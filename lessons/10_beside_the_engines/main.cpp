@@ -42,10 +42,11 @@ int main(int argc, char** argv) {
         "Most engines' defaults are chosen for speed (few steps, few iterations) and calm (an overlap that is "
         "left). Each is a term of its error.");
     known.emplace_back(
-        "What holds a load on a chain: coordinates that cannot part, many short steps, or a correction of "
-        "positions with "
-        "new Jacobians; on velocities alone an exact solve fails, too, where the step is too long. A tall stack "
-        "needs "
+        "A load on a chain needs short steps: on velocities alone an exact solve tears it where the step is too "
+        "long, and "
+        "coordinates that cannot part explode. A correction of positions with new Jacobians holds it in one step "
+        "a frame, "
+        "too. A tall stack needs "
         "many iterations, short steps, a direct solve, or contacts that give way.");
     const auto soft = [](const auto& engine) { return engine.name == "Box2D 3" || engine.name == "Box3D"; };
     if (std::any_of(engines::all_engines().begin(), engines::all_engines().end(), soft))

@@ -146,8 +146,8 @@ void the_engines(const Setting& setting, Page& page) {
         course's Newton's method, though its time is. For joints this course also tries lesson 9's RK4 and RATTLE, which
         know no contacts, and Bullet its direct solver. Each point of a chart is one setting, named in its data, timed on
         this machine; a table names the first of equals. A float has 24 bits; at 50 m the last of them is 4 µm, which is
-        about as far as an engine in single precision can close a gap there. So the comparison with one ends at 4 µm, with
-        others at 1 µm, and at 10⁻⁶ rad. Above that, errors within a hundredth count as equal. Times do within a tenth, and
+        about as far as an engine in single precision can close a gap there. So the comparison of chains with one ends at 4 µm,
+        all others at 1 µm, and at 10⁻⁶ rad. Above that, errors within a hundredth count as equal. Times do within a tenth, and
         an engine counts as ahead only if its slowest round is ahead of this course's quickest.)",
         numbers(engines::joint_steps), numbers(engines::contact_steps), engines::joint_iterations.back(),
         most_of_a_pendulum, most_in_space, most_of_contacts, most_of_a_wall_in_space);

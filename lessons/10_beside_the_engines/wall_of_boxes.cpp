@@ -174,7 +174,7 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
 void wall_of_boxes(const Setting& setting, Page& page) {
   const int base = setting.base, boxes = base * (base + 1) / 2;
   page.text(
-      R"(A pyramid of @ boxes, a tenth of a box apart in each row. Each engine has a second to come to its own rest.
+      R"(A pyramid of @ boxes, a tenth of a box apart in each row. Each engine has a second to settle, and what still moves then counts.
       From there the pyramid is watched for @ s, once undisturbed and once after a kick of @ m/s at the top.)",
       boxes, wall_frames * frame, wall_kick);
   const double friction = Surface{}.friction,

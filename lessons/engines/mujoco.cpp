@@ -98,7 +98,7 @@ void add_mujoco(std::vector<Engine>& all) {
                  .refusal = [](const Asked& asked) -> std::string {
                    constexpr int most_boxes = 1;  // later versions take a fourteenth of the time for contacts
                    return asked.boxes > most_boxes
-                              ? "contacts are slow in this version; pyramids are compared in WebAssembly"
+                              ? "piles: not compared; pyramids of a later version are, in WebAssembly"
                               : mujoco_refusal(asked);
                  },
                  .in_plane = build<PlaneBody>,
