@@ -34,8 +34,8 @@ bool takes_rattle(AnyScene scene) {
 }
 
 /// A method for the true motion: RATTLE where it can, which is of second order, else exact solves.
-Method fine_method(const AnyScene& scene, int substeps) {
-  if (takes_rattle(scene)) return Rattle{.substeps = substeps};
+Method fine_method(bool rattle, int substeps) {
+  if (rattle) return Rattle{.substeps = substeps};
   AnyStepping exact{ByGraph{}, Baumgarte{.slop = 0}};
   exact.substeps = substeps;
   exact.gyroscopic = Gyroscopic::implicit;
@@ -75,7 +75,7 @@ double scale_of(const AnyScene& scene, double most_change) {
 Pilot watch_pilot(const SceneFile& file, int substeps) {
   const AnyScene start = any(file);
   AnyScene scene = start;
-  scene.use(fine_method(scene, substeps));
+  scene.use(fine_method(takes_rattle(start), substeps));
   const std::vector<Eigen::Vector3d> places = centres(scene);
   const double energy = scene.energy(), spin = scene.angular_momentum().y();
   Pilot pilot;
@@ -146,11 +146,10 @@ struct Ended {
   double cost = 0;         // of its run [instructions]
   bool touched = false;    // whether bodies touched in it
 };
-Ended run(AnyScene scene, int substeps, double time) {
+Ended run(AnyScene scene, bool rattle, int substeps, double time) {
   // In steps in place of substeps, so that contacts are found as often.
-  const bool rattle = takes_rattle(scene);
   const int steps = rattle ? 1 : substeps;
-  scene.use(fine_method(scene, substeps / steps));
+  scene.use(fine_method(rattle, substeps / steps));
   const auto advance = [&] {
     for (int i = 0; i < steps; ++i) scene.step(frame / steps);
   };
@@ -194,7 +193,8 @@ Ended extrapolated(const Ended& coarse, const Ended& fine, double factor) {
 /// extrapolated, nor believed before steps are short, and what is not known counts twice.
 Ended refined(const Problem& problem, double time, double close) {
   const AnyScene start = problem.start();
-  Ended coarse = run(start, 8, time), best = coarse;
+  const bool rattle = takes_rattle(start);
+  Ended coarse = run(start, rattle, 8, time), best = coarse;
   // Substeps up to which no agreement is believed.
   const auto chance = [&] { return coarse.touched ? 512 : 64; };
   double uncertainty = INFINITY, cost = coarse.cost;
@@ -204,7 +204,7 @@ Ended refined(const Problem& problem, double time, double close) {
   // A motion without events is worth more.
   const auto most = [&] { return last ? 8192 : 1024; };
   for (int substeps = 16; substeps <= most() && (substeps <= chance() || uncertainty > close); substeps *= 2) {
-    Ended fine = run(start, substeps, time);
+    Ended fine = run(start, rattle, substeps, time);
     const double apart = farthest_apart(fine.end, coarse.end), ratio = before[0] / apart;
     const double factor = std::abs(ratio - 2) < 0.2 ? 2 : std::abs(ratio - 4) < 0.4 ? 4 : 0;
     best = fine, uncertainty = (fine.touched ? 2 : 1) * std::max({apart, before[0] / 4, before[1] / 16});
