@@ -31,15 +31,13 @@ Slid slide(const Contestant<M>& contestant, double slope, double friction) {
   return {way, way - half};
 }
 
-/// The same with other seeds, of an engine that takes its rows in random order; else it alone.
-std::vector<Contestant<M>> by_seed(const Entrant<M>& entrant, std::size_t row) {
-  const auto& all = engines::all_engines();
-  const auto engine =
-      std::find_if(all.begin(), all.end(), [&](const Engine& e) { return e.name == entrant.name; });
-  std::vector<Contestant<M>> found{entrant.settings[row]};
-  if (entrant.name != "ODE QuickStep" || engine == all.end()) return found;
+/// The same with other seeds, of an engine that takes its rows in random order; else none.
+std::vector<Contestant<M>> by_other_seeds(const Entrant<M>& entrant, std::size_t row) {
+  const Engine* engine = engine_named(entrant.name);
+  std::vector<Contestant<M>> found;
+  if (!engine || entrant.name != "ODE QuickStep") return found;
   for (const double seed : {2, 3, 4, 5, 6, 7, 8}) {
-    engines::Setting setting = found[0].setting;
+    engines::Setting setting = entrant.settings[row].setting;
     auto turned = setting.knobs.turned();
     turned.emplace_back("seed", seed);
     setting.knobs = Knobs(turned);
@@ -51,9 +49,8 @@ std::vector<Contestant<M>> by_seed(const Entrant<M>& entrant, std::size_t row) {
 /// MuJoCo's friction is a force that grows with the speed of slip until it is μ times the normal force: it slips
 /// on any slope, for ever.
 void slips_for_ever(Page& page, double slope, double friction) {
-  const auto& all = engines::all_engines();
-  const auto engine = std::find_if(all.begin(), all.end(), [](const Engine& e) { return e.name == "MuJoCo"; });
-  if (engine == all.end()) return;
+  const Engine* engine = engine_named("MuJoCo");
+  if (!engine) return;
   std::vector<std::vector<std::string>> rows;
   const auto speed = [&](double ratio, int steps) {
     const auto who =
@@ -127,31 +124,33 @@ void block_on_a_slope(const Setting& setting, Page& page) {
     for (const std::size_t row : {0, 1}) {
       const std::string name = say("@, @", entrant.name, row == 0 ? "as shipped" : "as advised");
       rows.push_back({name});
-      Slid last;
+      std::vector<Slid> slid;
       for (const double d : aside) {
-        last = slide(entrant.settings[row], limit + d * degree, mu);
-        rows.back().push_back(std::abs(last.way) < margin ? in_millimetres(0) : say("@ m", Value(last.way, 3)));
-        if (entrant.name == ours_name) ours.push_back(last.way);
+        slid.push_back(slide(entrant.settings[row], limit + d * degree, mu));
+        const double way = slid.back().way;
+        rows.back().push_back(std::abs(way) < margin ? in_millimetres(0) : say("@ m", Value(way, 3)));
+        if (entrant.name == ours_name) ours.push_back(way);
       }
       // With each seed, where there are several.
-      double least = INFINITY, most = 0;
-      int beyond = 0, moving_still = 0;
-      const std::vector<Contestant<M>> draws = by_seed(entrant, row);
-      for (const Contestant<M>& one : draws) {
-        const double way = slide(one, limit - 0.1 * degree, mu).way;
-        least = std::min(least, way), most = std::max(most, way);
-        beyond += way > nearly;
-        moving_still += std::abs(slide(one, limit - degree, mu).in_the_last_second) > creep;
+      std::vector<Slid> nearly_held{slid[2]}, held{slid[3]};  // 0.1° and 1° less steep
+      for (const Contestant<M>& one : by_other_seeds(entrant, row)) {
+        nearly_held.push_back(slide(one, limit + aside[2] * degree, mu));
+        held.push_back(slide(one, limit + aside[3] * degree, mu));
       }
-      const auto of_the_seeds = [&](int count) {
-        return draws.size() > 1 ? say("@ (with @ of @ seeds)", name, count, draws.size()) : name;
+      const auto seeds = held.size();
+      const auto beyond = std::ranges::count_if(nearly_held, [&](const Slid& one) { return one.way > nearly; });
+      const auto moving_still =
+          std::ranges::count_if(held, [&](const Slid& one) { return std::abs(one.in_the_last_second) > creep; });
+      const auto of_the_seeds = [&](long count) {
+        return seeds > 1 ? say("@ (with @ of @ seeds)", name, count, seeds) : name;
       };
       if (beyond > 0) further.push_back(of_the_seeds(beyond));
-      if (draws.size() > 1)
-        chance += say(" With @ seeds @ slides by @ to @ m.", draws.size(), name, Value(least, 3), Value(most, 3));
-      rows.back().push_back(std::abs(last.in_the_last_second) > creep
-                                ? say("@ mm/s", Value(1000 * last.in_the_last_second, 2))
-                                : std::string("0"));
+      if (seeds > 1) {
+        const auto [least, most] = std::ranges::minmax(nearly_held, {}, &Slid::way);
+        chance += say(" With @ seeds @ slides by @ to @ m.", seeds, name, Value(least.way, 3), Value(most.way, 3));
+      }
+      const double speed = slid[3].in_the_last_second;
+      rows.back().push_back(std::abs(speed) > creep ? say("@ mm/s", Value(1000 * speed, 2)) : std::string("0"));
       if (entrant.name == ours_name) continue;
       ++theirs;
       if (moving_still > 0)

@@ -173,9 +173,8 @@ Scene<PlaneBody> tree(int levels) {
 /// An engine of soft joints: with the substeps alone, and with the joints' hertz as high as they let it be.
 template <class M>
 void stiffer_by_hertz(Page& page, const std::string& name, const Scene<M>& scene) {
-  const auto& all = engines::all_engines();
-  const auto engine = std::find_if(all.begin(), all.end(), [&](const Engine& e) { return e.name == name; });
-  if (engine == all.end()) return;
+  const Engine* engine = engine_named(name);
+  if (!engine) return;
   const auto gap = [&](int substeps, double hertz) {
     const engines::Setting setting{.knobs = {{"substeps", substeps}, {"joint hertz", hertz}}};
     return hang<M>(engines::contestant<M>(*engine, setting), scene, 60).gap;

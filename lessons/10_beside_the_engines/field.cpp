@@ -27,6 +27,12 @@ std::vector<Engine> members(Party party) {
   return all;
 }
 
+const Engine* engine_named(const std::string& name) {
+  const auto& all = engines::all_engines();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Engine& e) { return e.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 std::string with_build(const Engine& engine) {
   return say("@@", engine.method, engine.build.empty() ? "" : say("; @", engine.build));
 }

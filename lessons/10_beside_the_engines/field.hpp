@@ -57,6 +57,9 @@ Field<M> field_of(const Scene<M>& scene, Kind kind, From from = From::home, doub
 /// All who may take part somewhere, this course first.
 std::vector<Engine> members(Party party);
 
+/// An engine of this program by its name; null if it has none of that name.
+const Engine* engine_named(const std::string& name);
+
 /// How it solves, and how it was built where that matters.
 std::string with_build(const Engine& engine);
 
