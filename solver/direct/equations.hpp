@@ -11,6 +11,13 @@ namespace byhand {
 template <class M>
 [[noreturn]] void refuse_singular(const System<M>& system, const Bodies<M>& bodies);
 
+/// What impulses of rows that are connected take of energy, together and one by one [J].
+struct ConnectedPart {
+  double together = 0, apart = 0;
+  int rows = 0;
+  bool suspect() const { return together > 4.0 * rows * rows * apart; }
+};
+
 /// The plan of the last layout, the last factor, and scratch that is kept so that no step allocates.
 template <class M>
 struct DirectWork {
@@ -27,6 +34,7 @@ struct DirectWork {
   std::vector<View> views;             // by edge, in the order of the plan
   std::vector<double> offset, change;  // b + γλ and Δλ, by row
   std::vector<double> right;           // r = -(JV + offset), by row
+  std::vector<ConnectedPart> parts;    // by root
   // Of rows with bounds:
   std::vector<char> active;     // by row: whether it is solved; empty if all are
   PerBlock<M, BlockOf> masked;  // bounded blocks without their inactive rows

@@ -238,6 +238,10 @@ Elimination plan_elimination(const Graph& graph, int dof, long long most) {
     for (const int other : later) plan.neighbours.push_back({other, allot(size_of(sequence[other]), node.size)});
     node.last = static_cast<int>(plan.neighbours.size());
   }
+  for (int n = static_cast<int>(plan.nodes.size()); n-- > 0;) {
+    auto& node = plan.nodes[n];
+    node.root = node.first < node.last ? plan.nodes[plan.neighbours[node.first].node].root : n;
+  }
   for (int e = 0; e < hubs; ++e)
     if (graph.edges[e].inert()) plan.order.push_back(e);
 

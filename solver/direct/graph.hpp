@@ -50,6 +50,7 @@ struct Elimination {
     int diagonal = 0;         // offset of its diagonal block
     int row = 0;              // of its first unknown, edges and hubs counted together
     int lambda = 0;           // of an edge: its first row in λ
+    int root = 0;             // the node of its connected part that is eliminated last
     int first = 0, last = 0;  // its neighbours that are eliminated later: a range of `neighbours`
   };
   struct Neighbour {
