@@ -42,9 +42,10 @@ void order_is_the_slope(Page& page) {
       problem["mass"], problem["length"]);
   const Survey& all = survey(page, problem, swing_errors, swing_most);
   show(page, "pendulum_trajectory", all, Error::trajectory, true);
-  const Prices plane = prices_of(RowKind::bobs, "Gauss–Seidel"),
-               space = prices_of(RowKind::links_in_space, "Gauss–Seidel");
-  const auto projected = [](RowKind kind) { return prices_of(kind, name_of(Cure::projection)).projected_row; };
+  const Prices plane = prices_of("bobs", "Gauss–Seidel"), space = prices_of("links in space", "Gauss–Seidel");
+  const auto projected = [](std::string_view kind) {
+    return prices_of(kind, name_of(Cure::projection)).projected_row;
+  };
   page.text(
       R"(Work is counted in processor *instructions*. Each method counts what it does: rows written, prepared
       and solved, bodies moved, contacts found, rows projected. Each of these has a price in instructions, measured for
@@ -52,8 +53,8 @@ void order_is_the_slope(Page& page) {
       instructions; a row-solve of a projection, which writes C and J anew, takes @. For links in space the two take @
       and @. Counted like this, work is the same on every machine. The clock need
       not rank methods alike (step 6).)",
-      Value(plane.row_solve, 2), Value(projected(RowKind::bobs), 2), Value(space.row_solve, 2),
-      Value(projected(RowKind::links_in_space), 2));
+      Value(plane.row_solve, 2), Value(projected("bobs"), 2), Value(space.row_solve, 2),
+      Value(projected("links in space"), 2));
   page.text(
       R"(Both axes are logarithmic, so a power law is a straight line. Where the error falls as hᵖ and the work grows as
       1/h, ten times the work moves a point by p decades to the left. That p is the *order* of the method.)");

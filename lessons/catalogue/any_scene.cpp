@@ -189,10 +189,15 @@ double AnyScene::energy() const {
 }
 
 double AnyScene::energy_scale() const {
-  return read([](const auto& scene) {
+  return read([]<class M>(const Scene<M>& scene) {
+    const auto& bodies = scene.bodies();
+    const auto fixed = std::ranges::find_if(bodies.inverse_mass, [](const auto& mass) { return !moves(mass); });
+    const auto from = fixed - bodies.inverse_mass.begin();
+    Linear<M> centre = Linear<M>::Zero();
+    if (fixed != bodies.inverse_mass.end()) centre = bodies.pose[static_cast<std::size_t>(from)].position;
     double scale = 0;
-    for_each_moving(scene.bodies(),
-                    [&](int i, double mass) { scale += mass * scene.bodies().pose[i].position.norm(); });
+    for_each_moving(bodies,
+                    [&](int i, double mass) { scale += mass * (bodies.pose[i].position - centre).norm(); });
     scale *= scene.gravity.norm();
     return scale > 0 ? scale : kinetic_energy(scene.bodies());
   });
@@ -279,20 +284,25 @@ int AnyScene::degrees_of_freedom() const {
   });
 }
 
-RowKind AnyScene::row_kind() const {
-  return read([]<class M>(const Scene<M>& scene) {
-    using enum RowKind;
-    const auto kind = [](RowKind plane, RowKind space) { return M::linear == 2 ? plane : space; };
-    const bool bounded = scene.bounded(), touching = !scene.colliders().shapes.empty(),
-               free = scene.count() == 0 && !touching;
-    if (M::angular == 0)
-      return free      ? kind(free_bobs, free_bobs_in_space)
-             : bounded ? kind(ropes, ropes_in_space)
-                       : kind(bobs, bobs_in_space);
-    if (free) return kind(free_bodies, free_bodies_in_space);
-    if (touching) return kind(boxes, boxes_in_space);
-    if (bounded) return kind(machines, machines_in_space);
-    return scene.template all<Pin>().empty() ? kind(balls, balls_in_space) : kind(links, links_in_space);
+std::string AnyScene::row_kind() const {
+  return read([]<class M>(const Scene<M>& scene) -> std::string {
+    const std::vector<Shape<M>>& shapes = scene.colliders().shapes;
+    const auto round = [&](const Shape<M>& shape) {
+      const int body = static_cast<int>(&shape - shapes.data());
+      return !moves(scene.bodies().inverse_mass[body]) || std::holds_alternative<Ball<M>>(shape) ||
+             std::holds_alternative<std::monostate>(shape);
+    };
+    const bool joined = scene.count() > 0, bounded = scene.bounded();
+    std::string kind;
+    if (!shapes.empty())
+      kind = joined ? "joined shapes" : std::ranges::all_of(shapes, round) ? "balls that touch" : "boxes";
+    else if (!joined)
+      kind = M::angular == 0 ? "free bobs" : "free bodies";
+    else if (M::angular == 0)
+      kind = bounded ? "ropes" : "bobs";
+    else
+      kind = bounded ? "machines" : scene.template all<Pin>().empty() ? "balls" : "links";
+    return kind + (M::linear == 2 ? "" : " in space");
   });
 }
 

@@ -27,27 +27,6 @@ struct Effort {
   long long substeps = 0, steps = 0;
 };
 
-/// What a scene's rows act on, for their prices. Free bobs and bodies are held by nothing; ropes are rows with
-/// bounds between bobs; machines have a motor, a servo or a limit among their joints; boxes touch.
-enum class RowKind {
-  free_bobs,
-  free_bodies,
-  bobs,
-  ropes,
-  balls,
-  links,
-  machines,
-  boxes,
-  free_bobs_in_space,
-  free_bodies_in_space,
-  bobs_in_space,
-  ropes_in_space,
-  balls_in_space,
-  links_in_space,
-  machines_in_space,
-  boxes_in_space
-};
-
 /// A scene of any model with any method, for programs that choose both as they run. A value: a copy is a way back.
 class AnyScene {
  public:
@@ -78,8 +57,8 @@ class AnyScene {
   double separation() const;
   /// Kinetic and potential [J].
   double energy() const;
-  /// What the weight of all bodies would do over their distances from the origin, or the kinetic energy where
-  /// there is no weight: what a change of energy is measured by [J].
+  /// What the weight of all bodies would do over their distances from the first fixed body, or from the origin if
+  /// none is fixed; or the kinetic energy where there is no weight: what a change of energy is measured by [J].
   double energy_scale() const;
   /// Σ m v [N s]
   Eigen::Vector3d momentum() const;
@@ -104,8 +83,10 @@ class AnyScene {
 
   /// Numbers that all moving bodies move with, without regard to what holds them.
   int degrees_of_freedom() const;
-  /// What its rows act on.
-  RowKind row_kind() const;
+  /// What its rows act on, for their prices: "free bobs" or "free bodies" are held by nothing, "ropes" hold bobs
+  /// with bounds, "machines" have a motor, a servo or a limit among their joints, shapes touch as "boxes", "balls
+  /// that touch" or "joined shapes"; else "bobs", "balls" or "links". All of these also "… in space".
+  std::string row_kind() const;
   /// Rows of all constraints.
   int rows() const;
   /// Bytes of all poses, velocities, masses, shapes and constraints: what describes the scene.

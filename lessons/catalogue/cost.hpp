@@ -24,7 +24,7 @@ Counts counts_of(const Effort& effort);
 /// Of a part of a step: a family of methods by its name, for those that solve rows "stepping" besides, and a cure
 /// by its name; "free" of what nothing holds. Nothing for a part that has no price. Measured by
 /// tests/lessons/catalogue/prices.cpp.
-Prices prices_of(RowKind kind, std::string_view part);
+Prices prices_of(std::string_view kind, std::string_view part);
 
 /// Instructions.
 double cost_of(const Counts& counts, const Prices& prices);

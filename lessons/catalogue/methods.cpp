@@ -117,7 +117,7 @@ const Family& family_named(std::string_view name) {
   return families().front();
 }
 
-Prices prices_of(RowKind kind, const Family& family, Cure cure) {
+Prices prices_of(std::string_view kind, const Family& family, Cure cure) {
   const Prices own = prices_of(kind, family.name);
   return family.solves_rows ? own + prices_of(kind, "stepping") + prices_of(kind, name_of(cure)) : own;
 }

@@ -48,7 +48,7 @@ const std::vector<Family>& families();
 const Family& family_named(std::string_view name);
 
 /// What each count of a run of this method with this cure costs where the rows are of that kind.
-Prices prices_of(RowKind kind, const Family& family, Cure cure);
+Prices prices_of(std::string_view kind, const Family& family, Cure cure);
 
 /// The name of a cure, and the symbol of its strength: "Baumgarte", "β".
 std::string_view name_of(Cure cure);

@@ -21,11 +21,13 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "lessons/catalogue/run.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/ragdoll.hpp"
 #include "lessons/scenes/slider_crank.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/rope.hpp"
@@ -34,22 +36,6 @@ namespace {
 
 using namespace byhand;
 
-constexpr const char* kind_names[] = {"free_bobs",
-                                      "free_bodies",
-                                      "bobs",
-                                      "ropes",
-                                      "balls",
-                                      "links",
-                                      "machines",
-                                      "boxes",
-                                      "free_bobs_in_space",
-                                      "free_bodies_in_space",
-                                      "bobs_in_space",
-                                      "ropes_in_space",
-                                      "balls_in_space",
-                                      "links_in_space",
-                                      "machines_in_space",
-                                      "boxes_in_space"};
 constexpr const char* bob_models[] = {"bobs in the plane", "balls in the plane", "links in the plane",
                                       "bobs in space",     "balls in space",     "links in space"};
 
@@ -185,6 +171,53 @@ Problem machine(int links, double strength) {
   return uncatalogued("machine", scene);
 }
 
+/// Balls on the ground, or on a table that has no weight to hold them down, some far apart.
+template <class M>
+Problem balls(int count, bool weight, double apart) {
+  Scene<M> scene;
+  if (weight)
+    add_ground(scene);
+  else
+    scene.gravity.setZero();
+  for (int i = 0; i < count; ++i) {
+    const Linear<M> place = apart * (i % 4) * Linear<M>::Unit(0) + (0.5 + 1.01 * (i / 4)) * Linear<M>::Unit(1);
+    const int body = scene.add_body(place, ball<M>(1 + i % 2, 0.5), (i % 2 ? -0.5 : 1.0) * Velocity<M>::Unit(0));
+    scene.set_shape(body, Ball<M>{0.5}, {0.3, i % 3 ? 0.0 : 0.8});
+  }
+  return uncatalogued("balls", scene);
+}
+
+/// Ragdolls that fall onto the ground, or lie there.
+Problem ragdolls(int count, double height) {
+  Scene<PlaneBody> scene;
+  add_ground(scene);
+  for (int i = 0; i < count; ++i) add_ragdoll(scene, {2.0 * i, 0.9 + height});
+  return uncatalogued("ragdolls", scene);
+}
+
+/// A chain of boxes that falls onto the ground, whose first joint may be driven.
+template <class M>
+Problem fallen_chain(int links, double height, bool driven) {
+  Scene<M> scene;
+  add_ground(scene);
+  const auto joint = [&](int link) {
+    if constexpr (M::angular == 1)
+      return turn<M>(scene.bodies(), link - 1, link);
+    else
+      return turn<M>(scene.bodies(), link - 1, link, Linear<M>::UnitZ());
+  };
+  for (int i = 1; i <= links; ++i) {
+    Pose<M> pose;
+    pose.position = 1.1 * i * Linear<M>::Unit(0) + (0.2 + height) * Linear<M>::Unit(1);
+    Linear<M> sides = Linear<M>::Constant(0.4);
+    sides[0] = 1;
+    add_box(scene, pose, 1 + i % 2, sides);
+    if (i > 1) scene.add(pin<M>(scene.bodies(), i - 1, i, Linear<M>(pose.position - 0.55 * Linear<M>::Unit(0))));
+  }
+  if (driven && links > 1) scene.add(motor(joint(2), 2, 50));
+  return uncatalogued("chain on the ground", scene);
+}
+
 /// Bodies that nothing holds, in air.
 template <class M>
 Problem thrown(int count) {
@@ -206,7 +239,7 @@ Problem drawn_problem(Draws& draws) {
   const double links = draws.one_of({1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0});
   const double kick = draws.one_of({0.0, 0.02, 0.02});
   const int few = draws.one_of({1, 2, 3, 5, 10, 20});
-  switch (draws.below(21)) {
+  switch (draws.below(25)) {
     case 0: return Problem("stack", {{"boxes", draws.one_of({2.0, 3.0, 5.0, 8.0, 12.0, 30.0})}, {"kick", kick}});
     case 1: return Problem("pyramid", {{"base", draws.one_of({2.0, 3.0, 4.0, 6.0, 9.0, 12.0})}, {"kick", kick}});
     case 2: return Problem(draws.one_of({"incline", "four_bar"}));
@@ -229,6 +262,11 @@ Problem drawn_problem(Draws& draws) {
         case 2: return thrown<PlaneBody>(few);
         default: return thrown<SpaceBody>(few);
       }
+    case 16: return balls<PlaneBody>(few, draws.below(2), draws.one_of({1.0, 1.2, 5.0}));
+    case 17: return balls<SpaceBody>(few, draws.below(2), draws.one_of({1.0, 1.2, 5.0}));
+    case 18: return ragdolls(draws.one_of({1, 1, 2, 5}), draws.one_of({0.02, 0.5}));
+    case 19: return fallen_chain<PlaneBody>(draws.one_of({2, 3, 5, 10}), draws.one_of({0.0, 0.1}), draws.below(2));
+    case 20: return fallen_chain<SpaceBody>(draws.one_of({2, 3, 5}), draws.one_of({0.0, 0.1}), draws.below(2));
     default: return Problem("chain", {{"links", links}}, model);
   }
 }
@@ -252,7 +290,8 @@ Knobs drawn_knobs(const Family& family, Draws& draws) {
 /// of one that fails: its cost does not count, and numbers without end take any time.
 void run(const Problem& problem, const Family& family, Knobs knobs) {
   AnyScene scene = problem.start();
-  if (family.name == "direct" && scene.row_kind() == RowKind::boxes_in_space)
+  if (family.name == "direct" &&
+      (scene.row_kind() == "boxes in space" || scene.row_kind() == "joined shapes in space"))
     knobs.regularisation = 1e-9;  // four points of a face repeat each other
   const Setting setting = family.setting(knobs);
   if (measure(problem, family, knobs, {.seconds = 20 * frame, .reference = false}).outcome != Outcome::good)
@@ -267,8 +306,8 @@ void run(const Problem& problem, const Family& family, Knobs knobs) {
   frames(10);
   CALLGRIND_DUMP_STATS;
   const Counts last = counts_of(scene.effort());
-  fmt::print("{};{};{};{} of {}{}", static_cast<int>(scene.row_kind()), family.name, name_of(knobs.cure),
-             problem.scene().name, scene.rows(), described_knobs(family, knobs));
+  fmt::print("{};{};{};{} of {}{}", scene.row_kind(), family.name, name_of(knobs.cure), problem.scene().name,
+             scene.rows(), described_knobs(family, knobs));
   for (std::size_t k = 0; k < counts; ++k) fmt::print(";{}", last[k] - first[k]);
   fmt::print("\n");
 }
@@ -276,23 +315,19 @@ void run(const Problem& problem, const Family& family, Knobs knobs) {
 /// Of any method and kind of rows, or of one method or one kind alone.
 void run(int count, unsigned seed, std::string_view only) {
   Draws draws(seed);
-  const auto drawn = [&](const Problem& problem) {
-    const bool any = std::find(std::begin(kind_names), std::end(kind_names), only) == std::end(kind_names);
-    return any || kind_names[static_cast<int>(problem.start().row_kind())] == only;
-  };
   const auto method =
       std::find_if(priced().begin(), priced().end(), [&](const Family& one) { return one.name == only; });
+  const bool any = only.empty() || method != priced().end();
   for (int i = 0; i < count; ++i) {
     const Problem problem = drawn_problem(draws);
     const Family& family = method != priced().end() ? *method : priced()[draws.below(priced().size())];
     const Knobs knobs = drawn_knobs(family, draws);
-    if (drawn(problem)) run(problem, family, knobs);
+    if (any || problem.start().row_kind() == only) run(problem, family, knobs);
   }
 }
 
 struct Counted {
-  RowKind kind;
-  std::string family, cure, what;
+  std::string kind, family, cure, what;
   Counts counts;
   double instructions;
 };
@@ -316,8 +351,7 @@ std::vector<Counted> read(const char* efforts, int count, char** dumps) {
     std::string field;
     const auto next = [&] { return std::getline(fields, field, ';'), field; };
     Counted one;
-    one.kind = static_cast<RowKind>(std::stoi(next()));
-    one.family = next(), one.cure = next(), one.what = next();
+    one.kind = next(), one.family = next(), one.cure = next(), one.what = next();
     for (double& number : one.counts) number = std::stod(next());
     one.instructions = instructions[all.size()];
     all.push_back(one);
@@ -326,7 +360,7 @@ std::vector<Counted> read(const char* efforts, int count, char** dumps) {
 }
 
 /// The prices of one kind of rows: each in turn the best while the others stay, until they do.
-void fit(RowKind kind, const std::vector<Counted>& all) {
+void fit(const std::string& kind, const std::vector<Counted>& all) {
   std::map<std::string, Counts> prices;
   std::vector<const Counted*> runs;
   std::vector<double> rest;  // of each run, the share that is not paid for yet
@@ -360,11 +394,11 @@ void fit(RowKind kind, const std::vector<Counted>& all) {
   for (const auto& [part, own] : prices) {
     double worst = 0;
     for (const std::size_t i : users[part]) worst = std::max(worst, std::abs(rest[i]));
-    fmt::print("{{RowKind::{}, \"{}\", {{", kind_names[static_cast<int>(kind)], part);
+    fmt::print("{{\"{}\", \"{}\", {{", kind, part);
     for (std::size_t k = 0; k < counts; ++k) fmt::print("{}{:.4g}", k ? ", " : "", own[k]);
     fmt::print("}}}},\n");
-    std::cerr << fmt::format("{:>15} {:<32} {:4} runs, within {:.0f} %\n", kind_names[static_cast<int>(kind)],
-                             part, users[part].size(), 100 * worst);
+    std::cerr << fmt::format("{:>15} {:<32} {:4} runs, within {:.0f} %\n", kind, part, users[part].size(),
+                             100 * worst);
   }
 }
 
@@ -391,6 +425,8 @@ int main(int argc, char** argv) {
     return std::cerr << "prices run COUNT SEED, prices fit COUNTED DUMPS, prices check COUNTED DUMPS\n", 2;
   const auto all = read(argv[2], argc - 3, argv + 3);
   if (command == "check") return check(all);
-  for (std::size_t kind = 0; kind < std::size(kind_names); ++kind) fit(static_cast<RowKind>(kind), all);
+  std::set<std::string> kinds;
+  for (const Counted& one : all) kinds.insert(one.kind);
+  for (const std::string& kind : kinds) fit(kind, all);
   return 0;
 }

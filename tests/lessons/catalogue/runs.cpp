@@ -8,9 +8,11 @@
 #include "lessons/catalogue/tuning.hpp"
 #include "lessons/laws/sweeps.hpp"
 #include "lessons/laws/transverse.hpp"
+#include "lessons/scenes/balls.hpp"
 #include "lessons/scenes/box_pile.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/ragdoll.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/rope.hpp"
 
@@ -96,7 +98,7 @@ TEST(Prices, ArePaidForWhatAStepExecutes) {
   // out in the first of so many steps.
   const Family& family = sweeps();
   const double steps = 30;
-  const auto step = [&](RowKind kind, double rows) {
+  const auto step = [&](const std::string& kind, double rows) {
     const Prices all = prices_of(kind, family, Cure::none);
     return rows * (all.row_solve + all.prepared_row + all.written_row + all.laid_out_row / steps) + all.solve +
            all.pass + all.body + all.substep + all.step;
@@ -104,8 +106,8 @@ TEST(Prices, ArePaidForWhatAStepExecutes) {
   const auto cost = [&](const char* scene) {
     return measure(Problem(scene), family, {}, {.seconds = steps / 60}).cost;
   };
-  EXPECT_NEAR(cost("top"), step(RowKind::links_in_space, 3), 1e-6);
-  EXPECT_NEAR(cost("pendulum"), step(RowKind::bobs, 1), 1e-6);
+  EXPECT_NEAR(cost("top"), step("links in space", 3), 1e-6);
+  EXPECT_NEAR(cost("pendulum"), step("bobs", 1), 1e-6);
 }
 
 TEST(Prices, AreOfWhatRowsActOn) {
@@ -113,14 +115,31 @@ TEST(Prices, AreOfWhatRowsActOn) {
   Scene<SpaceParticle> thrown;
   thrown.add_body(Eigen::Vector3d(0, 0, 0), with_mass<SpaceParticle>(1));
   Scene<PlaneBody> machine = pinned_chain<PlaneBody>({.links = 2});
-  EXPECT_EQ(kind(machine), RowKind::links);
+  EXPECT_EQ(kind(machine), "links");
   machine.add(motor(turn<PlaneBody>(machine.bodies(), 0, 1), 1, 10));
-  EXPECT_EQ(kind(machine), RowKind::machines);
-  EXPECT_EQ(kind(thrown), RowKind::free_bobs_in_space);
-  EXPECT_EQ(kind(rod_chain<PlaneParticle>({.links = 2})), RowKind::bobs);
-  EXPECT_EQ(kind(rod_chain<PlaneParticle, Rope>({.links = 2})), RowKind::ropes);
-  EXPECT_EQ(kind(rod_chain<SpaceBody>({.links = 2})), RowKind::balls_in_space);
-  EXPECT_EQ(kind(stack<SpaceBody>(2)), RowKind::boxes_in_space);
+  EXPECT_EQ(kind(machine), "machines");
+  EXPECT_EQ(kind(thrown), "free bobs in space");
+  EXPECT_EQ(kind(rod_chain<PlaneParticle>({.links = 2})), "bobs");
+  EXPECT_EQ(kind(rod_chain<PlaneParticle, Rope>({.links = 2})), "ropes");
+  EXPECT_EQ(kind(rod_chain<SpaceBody>({.links = 2})), "balls in space");
+  EXPECT_EQ(kind(stack<SpaceBody>(2)), "boxes in space");
+  EXPECT_EQ(kind(bouncing_ball<PlaneBody>(1, 0)), "balls that touch");
+  Scene<PlaneBody> doll = stack<PlaneBody>(1);
+  add_ragdoll(doll, {0, 3});
+  EXPECT_EQ(kind(doll), "joined shapes");
+}
+
+TEST(Prices, ExistForAllKindsOfRows) {
+  for (const std::string what : {"free bobs", "free bodies", "bobs", "ropes", "balls", "links", "machines",
+                                 "boxes", "balls that touch", "joined shapes"})
+    for (const std::string where : {"", " in space"})
+      for (const Family& family : families())
+        if (family.solves_rows) {
+          EXPECT_GT(cost_of(Counts{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+                            prices_of(what + where, family, family.cures.front())),
+                    100)
+              << what << where << ", " << family.name;
+        }
 }
 
 TEST(Prices, OfAProjectionAreChargedBySweepAndRow) {
@@ -131,8 +150,8 @@ TEST(Prices, OfAProjectionAreChargedBySweepAndRow) {
                    {.seconds = 0.2, .reference = false})
         .cost;
   };
-  const double row = prices_of(RowKind::links, "projection").projected_row,
-               solve = prices_of(RowKind::links, "Gauss–Seidel").row_solve;
+  const double row = prices_of("links", "projection").projected_row,
+               solve = prices_of("links", "Gauss–Seidel").row_solve;
   EXPECT_NEAR(cost(16) - cost(4), 3 * 12 * 100 * row, 1e-6 * cost(16));
   EXPECT_GT(row, 3 * solve);
 }
