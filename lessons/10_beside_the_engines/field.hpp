@@ -19,7 +19,8 @@ constexpr double most_of_contacts = engines::contact_iterations.back(),
                  most_of_a_wall_in_space = engines::contact_iterations.front();
 /// Under node all engines share one process.
 constexpr double most_of_joints_in_webassembly = 512, most_of_contacts_in_webassembly = most_of_contacts;
-constexpr int settling = 60;  // frames in which a pile comes to its engine's own rest
+/// Frames in which a pile comes to its engine's own rest: 5 s, for soft contacts still sink after one.
+constexpr int settling = 300;
 
 /// The name under which the course's solver takes part.
 inline const std::string& ours_name = engines::this_course().name;
@@ -189,6 +190,15 @@ inline bool alone() { return engines::all_engines().empty(); }
 template <class M>
 std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
                    const std::string& what = "error");
+
+/// The largest distance that a body has moved from one to the other [m], in its position.
+template <class M>
+double largest_displacement(const Scene<M>& from, const Scene<M>& to) {
+  double most = 0;
+  for (int i = 0; i < from.bodies().size(); ++i)
+    most = larger(most, Linear<M>(to.bodies().pose[i].position - from.bodies().pose[i].position).norm());
+  return most;
+}
 
 /// The overlap of shapes that is deepest [m].
 template <class M>

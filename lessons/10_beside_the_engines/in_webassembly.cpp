@@ -20,7 +20,7 @@ void in_webassembly(const Setting& setting, Page& page) {
   if (all.empty()) return;
   page.text(
       R"(WebAssembly is slower than native code, and not by the same factor for every engine. So the times of this step
-      are compared with one another only; errors do not depend on it. Settings of up to @ iterations a frame are tried for the chain, of @ for the pyramid.)",
+      are compared with one another only; this course has the same errors in both. Settings of up to @ iterations a frame are tried for the chain, of @ for the pyramid.)",
       most_of_joints_in_webassembly, most_of_contacts_in_webassembly);
   std::vector<std::vector<std::string>> rows;
   for (const Engine& engine : all)

@@ -31,9 +31,8 @@ int main(int argc, char** argv) {
   lesson.deeper("Engines in WebAssembly", with(in_webassembly));
 
   std::vector<std::string> known{
-      "Two engines can be compared only in the same scene, by the same measure, for as long as the scene's "
-      "slowest "
-      "motion takes, and each with its own settings tuned.",
+      "Two engines can be compared only in the same scene, from each one's own rest, by the same measure, long "
+      "enough for the scene's slowest motion, and each with its own settings tuned.",
       "The error of a single joint that is solved to the end is that of its scheme, whoever wrote it."};
   if (alone()) {
     known.emplace_back("With one engine only, this lesson shows how to measure, not who is better.");
@@ -53,7 +52,7 @@ int main(int argc, char** argv) {
       known.emplace_back(
           "If an engine gives its joints a stiffness in hertz and caps it by the rate of substeps, as Box2D 3 "
           "does, "
-          "more substeps alone do not make them stiffer beyond the cap; raise the frequency too.");
+          "more substeps alone do not make them stiffer beyond that; raise the frequency too.");
     known.emplace_back("A time belongs to one machine; the ratio of two times in one run says more.");
   }
   lesson.closing(

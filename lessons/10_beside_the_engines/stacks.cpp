@@ -24,8 +24,10 @@ Scene<M> shifted_stack(int boxes) {
 struct Standing {
   double fell = INFINITY;    // when nothing below holds some boxes' centre; 0: before the engine's rest [s]
   double lean = 0, sag = 0;  // of the top from the engine's own rest, at most [m]; sag < 0: it has risen
+  double earlier = 0;        // the lean, a second before the end [m]
   double sunk = 0;           // of the top at that rest, from where its boxes touch [m]
   double leant() const { return std::isfinite(fell) ? INFINITY : lean; }
+  bool goes_on() const { return !std::isfinite(fell) && lean > engines::equal_errors * larger(earlier, margin); }
 };
 
 /// Whether the centre of all boxes above some box lies beside that box: then no contact forces hold them.
@@ -58,6 +60,7 @@ Standing stand(const Contestant<M>& contestant, const Scene<M>& scene, double sp
     if (std::abs(moved.y()) > std::abs(result.sag)) result.sag = -moved.y();
     moved[1] = 0;
     result.lean = larger(result.lean, moved.norm());
+    if (time < stack_frames * frame - 1) result.earlier = result.lean;
     if (falls(seen)) result.fell = std::min(result.fell, time);
   });
   return result;
@@ -88,6 +91,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   std::vector<std::vector<std::string>> rows;
   std::vector<Standing> ours;
   int fallen = 0, theirs = 0;
+  std::vector<std::string> going_on;
   for (const Entrant<M>& entrant : field.entrants)
     for (const std::size_t row : {0, 1}) {
       rows.push_back({say("@, @", entrant.name, row == 0 ? "as shipped" : "as advised")});
@@ -96,6 +100,8 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
         const Standing standing = stand(entrant.settings[row], one.scene, one.kick);
         rows.back().push_back(fate_of(standing));
         sunk = standing.sunk;
+        if (standing.goes_on())
+          going_on.push_back(say("@ (@, @)", entrant.name, row == 0 ? "as shipped" : "as advised", one.name));
         if (entrant.name == ours_name)
           ours.push_back(standing);
         else
@@ -129,7 +135,10 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
               most < margin ? "less than a micrometre" : say("@ at most", in_millimetres(most)));
   } else {
     page.table(head, rows);
-    page.text("@@", fate_of_ours, fate_of_theirs);
+    page.text("@@@", fate_of_ours, fate_of_theirs,
+              going_on.empty()
+                  ? ""
+                  : say(" In the last second these still lean further than before: @.", listed(going_on)));
   }
 
   const auto outcomes =
@@ -162,13 +171,13 @@ void stacks(const Setting& setting, Page& page) {
   page.text(
       R"(A stack stands only if its contacts carry its weight *and* its bending, which takes more warm sweeps the
       higher it is (lesson 5). Here @ unit boxes: one with each box @ cm off to alternate sides, one
-      straight. Each engine has a second to settle, with whatever overlap it keeps. From there the
+      straight. Each engine has @ s to settle, with whatever overlap it keeps. From there the
       straight ones are kicked, by @ m/s at the top and in proportion to the height below, and all are watched for @ s. *Lean* is how far the
       top moves sideways from that rest position at most; *sag*, how far down. A stack
       has fallen when the common centre of the boxes above some box is no longer over that box.)",
       boxes == tallest ? say("are two stacks of @", tallest)
                        : say("are two stacks of @ and two of @", boxes, tallest),
-      100 * offset, stack_kick, stack_frames * frame);
+      100 * offset, settling * frame, stack_kick, stack_frames * frame);
   const double needed = 0.75 * gravity * frame * frame * 30 * 30 * 30;
   const double needed_by_ten = needed / 27, whole = std::ceil(needed);
   page.predict(

@@ -136,7 +136,7 @@ void the_engines(const Setting& setting, Page& page) {
       damping, friction of joints and, where an engine lets it, limits of speed. *As its manual advises*: the knob that a source of its makers names is
       turned the way it says, to its number or, where it gives none, to one of our choice: twice the iterations, substeps
       or, of ODE's chain, steps, ten times MuJoCo's impratio, which its manual advises against slip, four times this course's
-      substeps and a tenth of its tolerance. Both stand in `lessons/engines/settings/` (for this
+      substeps and a tenth of its tolerance. For PhysX's articulations it is an example that its makers give. Both stand in `lessons/engines/settings/` (for this
       course the source is its lessons 8 and 9).)");
   if (!alone())
     page.text(

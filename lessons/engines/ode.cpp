@@ -175,7 +175,10 @@ void add_ode(std::vector<Engine>& all) {
                  .build = "Debian's is compiled with its checks on",
                  .settings = ode_direct_settings(),
                  .refusal = [](const Asked& asked) -> std::string {
-                   if (asked.boxes > 1) return "piles: as shipped and as advised a stack of ten falls";
+                   if (asked.boxes > 1)
+                     return "piles: a stack of ten falls, as shipped and as advised, and the time grows as the "
+                            "cube of the number of "
+                            "rows";
                    return asked.pins > 60 ? "takes a time that grows as the cube of the number of rows" : "";
                  },
                  .in_plane = build<PlaneBody, false>,

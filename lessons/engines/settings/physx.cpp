@@ -28,7 +28,7 @@ Settings physx_settings() {
 
 Settings physx_articulation_settings() {
   const Setting advised{
-      .row = Row::advised, .steps = 2, .source = "NVIDIA's Isaac Lab, PhysX Configuration: 1/120 s"};
+      .row = Row::advised, .steps = 2, .source = "NVIDIA's Isaac Lab, PhysX Configuration, an example: 1/120 s"};
   Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
   for (const int steps : joint_steps) all.joints.push_back({.row = Row::tuned, .steps = steps});
   for (const int steps : contact_steps) all.contacts.push_back({.row = Row::tuned, .steps = steps});
