@@ -189,14 +189,14 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
   const auto& all = problem.scene().parameters;
   const std::string unit =
       std::find_if(all.begin(), all.end(), [&](const SceneParameter& one) { return one.name == stress; })->unit;
-  return say(
-      "Of larger values of the @, tried in strides of a fifth, the first at which it no longer meets @ is @@, @.",
-      name, limited ? "your limits" : "twice this drift", Value(choice.margin * problem[stress], 3),
-      unit == "1"   ? ""
-      : unit == "°" ? unit
-                    : " " + unit,
-      choice.margin < 1.1 ? say("@ % above its present value", Value(100 * (choice.margin - 1), 1))
-                          : say("@ times the present value", Value(choice.margin, 2)));
+  return say("Of larger values of the @, tried @, the first at which it no longer meets @ is @@, @.", name,
+             strides_of_margin, limited ? "your limits" : "twice this drift",
+             Value(choice.margin * problem[stress], 3),
+             unit == "1"   ? ""
+             : unit == "°" ? unit
+                           : " " + unit,
+             choice.margin < 1.1 ? say("@ % above its present value", Value(100 * (choice.margin - 1), 1))
+                                 : say("@ times the present value", Value(choice.margin, 2)));
 }
 
 /// "all methods were tried up to 370 000 instructions per frame, …". The others have no time left where the exact

@@ -67,15 +67,14 @@ double margin(const Problem& problem, const Point& point, const std::map<Error, 
   if (!(value > 0)) return NAN;
   const double most = std::min(1000.0, parameter->high / value);
   double low = 1, high = 1;
-  // In short strides, the first of which are the shortest: where steps are too long for a stiff scene, good bands
+  // In short strides: where steps are too long for a stiff scene, or a bounce falls into another step, good bands
   // follow bad ones.
-  double stride = 1.005;
+  constexpr double near = 2, short_stride = 1.02, long_stride = 1.2;
   while (holds(high)) {
     if (work > most_work) return NAN;
     low = high;
     if (high >= most) return INFINITY;
-    high = std::min(stride * high, most);
-    stride = std::min(1.2, 2 * stride - 1);
+    high = std::min((high < near ? short_stride : long_stride) * high, most);
   }
   while (high > 1.05 * low) {
     if (work > most_work) return NAN;

@@ -40,7 +40,9 @@ std::vector<Problem> variations(const Problem& problem, std::span<const int> num
 /// 0, 1, …
 std::vector<int> first_numbers(int count);
 
-/// The factor on the scene's stress parameter, at least 1 and within 5 %, at which this point's method no longer
+/// How margin() tries the factors.
+inline constexpr const char* strides_of_margin = "in strides of 2 %, and beyond twice of a fifth";
+/// The factor on the scene's stress parameter, at least 1, at which this point's method no longer
 /// keeps within the limits; infinite if it does at the parameter's upper end and up to a thousand, NaN if the
 /// parameter is not above zero, or this takes more than `most` instructions.
 double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits,

@@ -9,9 +9,20 @@ std::string SceneFile::name_of(int body) const {
                                                        : "body " + std::to_string(body);
 }
 
-const std::map<std::string, std::string>& accuracy_names() {
-  static const std::map<std::string, std::string> all{{"drift", "m"},    {"trajectory", "m"}, {"energy", "1"},
-                                                      {"momentum", "1"}, {"reaction", "1"},   {"contact", "m/s"}};
+const std::map<std::string, AccuracyName>& accuracy_names() {
+  static const std::map<std::string, AccuracyName> all{
+      {"drift", {"m", "largest gap of a joint, or overlap, over the run"}},
+      {"trajectory", {"m", "largest distance of a body's centre from the true motion, at its end"}},
+      {"energy",
+       {"1",
+        "largest change of energy over the run, beside the true motion's, as a share of the weight of all bodies "
+        "times their distances from the first fixed body (from the origin if none is fixed), or without weight of "
+        "the first kinetic energy"}},
+      {"momentum",
+       {"1", "largest change of the angular momentum about the vertical over the run, as a share of it"}},
+      {"reaction",
+       {"1", "error of the force that holds the scene, at its end, as a share of it or of the weight"}},
+      {"contact", {"m/s", "what is left of the laws of contact and friction at the end"}}};
   return all;
 }
 
@@ -95,10 +106,10 @@ SceneFile read_scene(std::string_view text) {
   }
   if (const json::Value* value = reader.find("accuracy")) {
     Reader accuracy(*value, "accuracy");
-    for (const auto& [name, unit] : accuracy_names()) {
+    for (const auto& [name, about] : accuracy_names()) {
       double limit = 0;
       accuracy.number({.name = name.c_str(),
-                       .unit = unit.c_str(),
+                       .unit = about.unit.c_str(),
                        .meaning = "",
                        .low = 0,
                        .high = 1e300,

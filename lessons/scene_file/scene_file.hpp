@@ -41,7 +41,10 @@ struct SceneFile {
 };
 
 /// The errors that a file may limit, with their units: drift [m], energy [1], …
-const std::map<std::string, std::string>& accuracy_names();
+struct AccuracyName {
+  std::string unit, meaning;
+};
+const std::map<std::string, AccuracyName>& accuracy_names();
 
 /// Reads a file's text. Throws std::invalid_argument with one sentence: the line, the member, its value and what
 /// is allowed.

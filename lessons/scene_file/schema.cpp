@@ -206,9 +206,8 @@ std::string scene_schema() {
   members(method, any);
   scene.put("method", "how it is stepped", method.object());
   Schema accuracy;
-  for (const auto& [name, unit] : accuracy_names())
-    accuracy.put(name, "largest " + name + " that is accepted", {{"type", "number"}, {"exclusiveMinimum", 0}},
-                 unit);
+  for (const auto& [name, about] : accuracy_names())
+    accuracy.put(name, about.meaning, {{"type", "number"}, {"exclusiveMinimum", 0}}, about.unit);
   scene.put("accuracy", "what shall be accurate", accuracy.object());
   scene.number(contact_margin, 0);
   scene.number(contact_lookahead, 0);

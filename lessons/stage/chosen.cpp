@@ -20,6 +20,8 @@ struct Answer {
   Point point;
 };
 
+constexpr double least_told = 1e-12;  // [m]: less is rounding
+
 std::string number_of(double value, Error error) {
   return course::say("@@", Value(value, 2), unit_of(error) == "1" ? "" : " " + std::string(unit_of(error)));
 }
@@ -87,8 +89,12 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
                     course::say("@", Value(one.point.cost, 2))});
   page.table({"asked for", "method, for 1/60 s", "its errors from the file's own start", "instructions, by price"},
              rows);
-  if (request.problem.start().row_kind() == RowKind::boxes_in_space)
-    page.text("Where bodies touch in space, a price may be a third off, and of some that tumble twice that.");
+  const std::string kind = request.problem.start().row_kind();
+  if (kind == "boxes in space" || kind.starts_with("joined shapes"))
+    page.text(
+        "Where boxes touch in space, or what touches is joined, a price may be a third off, and of some that "
+        "tumble "
+        "twice that.");
   if (const std::string bad = warnings_of(choice.best.point, request); !bad.empty())
     page.text(
         "**Warning:** the cheapest keeps what is asked, but gets other things wrong: @. Limit these in the file's "
@@ -99,13 +105,13 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
     if (!found) page.text("No setting was found that keeps @ from all starts.", asked);
   if (const auto limit = request.limits.find(Error::trajectory); limit != request.limits.end()) {
     page.text("The true motion is known to @ m. That counts as error of the trajectory besides.",
-              Value(choice.best.point.uncertainty, 2));
+              Value(std::max(least_told, choice.best.point.uncertainty), 2));
     if (request.last_motion < 0.1 * limit->second)
       page.text(
           "In the 1/60 s before, the true motion moves no body by more than @ m. So this trajectory says where "
           "the "
           "scene ends, not how it gets there.",
-          Value(request.last_motion, 2));
+          Value(std::max(least_told, request.last_motion), 2));
   }
   page.text(
       "Run for @ s from @ starts (the file's own and others whose @ by up to a twentieth), the cheapest "
@@ -116,10 +122,9 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
           : course::say(", where @ would have to before 95 % of such starts are certain", certain),
       choice.spent.runs);
   if (std::isfinite(choice.margin))
-    page.text(
-        "Of larger values of @, tried in strides of at most a fifth, the first at which it fails is @ times as "
-        "large.",
-        request.problem.scene().stress == "speed" ? "the first speed" : "gravity", Value(choice.margin, 3));
+    page.text("Of larger values of @, tried @, the first at which it fails is @ times as large.",
+              request.problem.scene().stress == "speed" ? "the first speed" : "gravity", strides_of_margin,
+              Value(choice.margin, 3));
   page.clocked("chosen", "Time for 1/60 s on this machine.", [=] {
     renderer::Chart chart{.y = {.label = "time (µs)"}};
     renderer::Bars bars;

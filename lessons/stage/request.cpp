@@ -66,9 +66,12 @@ struct Pilot {
   double energy_change = 0;
 };
 
-/// In a scene without weight that begins at rest, or nearly, what springs hold or motors give.
+/// In a scene without weight that begins at rest, or nearly, what springs hold or motors give. An energy of weight
+/// is not counted, as it depends on the origin.
 double scale_of(const AnyScene& scene, double most_change) {
-  const double scale = scene.energy_scale(), other = std::max(std::abs(scene.energy()), most_change);
+  const bool weighs = scene.weight().norm() > 0;
+  const double scale = scene.energy_scale(),
+               other = std::max(weighs ? 0.0 : std::abs(scene.energy()), most_change);
   return scale > 0.01 * other ? scale : other > 0 ? other : 1;
 }
 
@@ -157,7 +160,7 @@ Ended run(AnyScene scene, bool rattle, int substeps, double time) {
   for (long i = 1; i < frames; ++i) advance();
   const ExactState before{centres(scene), scene.momentum()};
   advance();
-  const RowKind kind = scene.row_kind();
+  const std::string kind = scene.row_kind();
   const Prices prices = rattle ? prices_of(kind, "RATTLE")
                                : prices_of(kind, "by graph") + prices_of(kind, "stepping") +
                                      prices_of(kind, name_of(Cure::baumgarte));
