@@ -12,8 +12,8 @@ constexpr double damping = 0.04;
 
 /// Answers what they ask for, c, by damped least squares, (A + 0.04 diag A)λ = -c, if the exact answer would make
 /// some body more than 2.5 times as fast as all rows together ask one by one. Damped, it has at most 6.25 times
-/// the energy that the rows would need one by one, whatever the units. Only connected parts whose rows are nearly
-/// dependent count and are changed. `system.lambda` is the last `solve_equations`' and not yet applied; returns
+/// the energy that the rows would need one by one, whatever the units. Connected parts count and change only where
+/// their rows are nearly dependent. `system.lambda` is the last `solve_equations`' and not yet applied; returns
 /// whether it was changed. What else the rows do stays exact.
 ///
 /// Source: Y. Nakamura, H. Hanafusa, Inverse Kinematic Solutions With Singularity Robustness, J. Dyn. Sys., Meas.,
