@@ -35,7 +35,7 @@ Slid slide(const Contestant<M>& contestant, double slope, double friction) {
 std::vector<Contestant<M>> by_other_seeds(const Entrant<M>& entrant, std::size_t row) {
   const Engine* engine = engine_named(entrant.name);
   std::vector<Contestant<M>> found;
-  if (!engine || entrant.name != "ODE QuickStep") return found;
+  if (!engine || !engine->random_rows) return found;
   for (const double seed : {2, 3, 4, 5, 6, 7, 8}) {
     engines::Setting setting = entrant.settings[row].setting;
     auto turned = setting.knobs.turned();

@@ -54,8 +54,9 @@ struct Engine {
   std::string method = {};   // how it solves, in a few words
   std::string file = {};     // of its settings, from the root of the repository
   Home home = Home::space;
-  bool single = false;     // precision
-  std::string build = {};  // a remark on how it was compiled, if that matters
+  bool single = false;       // precision
+  bool random_rows = false;  // taken in random order, from the knob "seed"
+  std::string build = {};    // a remark on how it was compiled, if that matters
   Settings settings = {};
   /// Why it does not run such a scene, in one clause; empty if it does.
   std::string (*refusal)(const Asked&) = nullptr;

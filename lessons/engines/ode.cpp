@@ -160,29 +160,27 @@ std::unique_ptr<World<M>> build(const Scene<M>& scene, const Knobs& knobs) {
 }  // namespace
 
 void add_ode(std::vector<Engine>& all) {
-  all.push_back({.name = "ODE QuickStep",
-                 .version = "0.16",
-                 .method = "Gauss–Seidel with over-relaxation, rows in random order",
-                 .file = "lessons/engines/settings/ode.cpp",
-                 .build = "Debian's is compiled with its checks on",
-                 .settings = ode_quick_settings(),
-                 .in_plane = build<PlaneBody, true>,
-                 .in_space = build<SpaceBody, true>});
-  all.push_back({.name = "ODE direct",
-                 .version = "0.16",
-                 .method = "all rows at once: Dantzig's method on a dense matrix",
-                 .file = "lessons/engines/settings/ode.cpp",
-                 .build = "Debian's is compiled with its checks on",
-                 .settings = ode_direct_settings(),
-                 .refusal = [](const Asked& asked) -> std::string {
-                   if (asked.boxes > 1)
-                     return "piles: a stack of ten falls, as shipped and as advised, and the time grows as the "
-                            "cube of the number of "
-                            "rows";
-                   return asked.pins > 60 ? "takes a time that grows as the cube of the number of rows" : "";
-                 },
-                 .in_plane = build<PlaneBody, false>,
-                 .in_space = build<SpaceBody, false>});
+  const Engine ode{.name = "ODE",
+                   .version = "0.16",
+                   .file = "lessons/engines/settings/ode.cpp",
+                   .build = "Debian's is compiled with its checks on"};
+  Engine& quick = all.emplace_back(ode);
+  quick.name += " QuickStep";
+  quick.method = "Gauss–Seidel with over-relaxation, rows in random order";
+  quick.random_rows = true;
+  quick.settings = ode_quick_settings();
+  quick.in_plane = build<PlaneBody, true>, quick.in_space = build<SpaceBody, true>;
+  Engine& direct = all.emplace_back(ode);
+  direct.name += " direct";
+  direct.method = "all rows at once: Dantzig's method on a dense matrix";
+  direct.settings = ode_direct_settings();
+  direct.in_plane = build<PlaneBody, false>, direct.in_space = build<SpaceBody, false>;
+  direct.refusal = [](const Asked& asked) -> std::string {
+    if (asked.boxes > 1)
+      return "piles: a stack of ten falls, as shipped and as advised, and the time grows as the cube of the "
+             "number of rows";
+    return asked.pins > 60 ? "takes a time that grows as the cube of the number of rows" : "";
+  };
 }
 
 }  // namespace byhand::engines
