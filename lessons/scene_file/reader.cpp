@@ -12,7 +12,10 @@ std::string SceneFile::name_of(int body) const {
 const std::map<std::string, AccuracyName>& accuracy_names() {
   static const std::map<std::string, AccuracyName> all{
       {"drift", {"m", "largest gap of a joint, or overlap, over the run"}},
-      {"trajectory", {"m", "largest distance of a body's centre from the true motion, at its end"}},
+      {"trajectory",
+       {"m",
+        "largest distance of a body's centre from the true motion, at the end as far as that is known, else after "
+        "1 s"}},
       {"energy",
        {"1",
         "largest change of energy over the run, beside the true motion's, as a share of the weight of all bodies "
@@ -21,8 +24,12 @@ const std::map<std::string, AccuracyName>& accuracy_names() {
       {"momentum",
        {"1", "largest change of the angular momentum about the vertical over the run, as a share of it"}},
       {"reaction",
-       {"1", "error of the force that holds the scene, at its end, as a share of it or of the weight"}},
-      {"contact", {"m/s", "what is left of the laws of contact and friction at the end"}}};
+       {"1",
+        "error of the force that holds the scene, when a trajectory is compared, as a share of it or of the "
+        "weight"}},
+      {"contact",
+       {"m/s",
+        "what is left of the laws of contact and friction when a trajectory is compared; after 1 s if none is"}}};
   return all;
 }
 

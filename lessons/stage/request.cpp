@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "lessons/doctor/doctor.hpp"
+#include "lessons/stage/oscillation.hpp"
 
 namespace byhand::stage {
 namespace {
@@ -54,6 +55,14 @@ double smallest_body(const SceneFile& file) {
   for (const double size : doctor::body_sizes(file))
     if (size > 0) smallest = std::min(smallest, size);
   return std::isinf(smallest) ? 1 : smallest;
+}
+
+/// In how many substeps a frame has to be cut for springs to swing on for so long [s]: e^-1 is left of what swings
+/// fastest. RATTLE has no springs.
+int substeps_of_springs(const SceneFile& file, double time) {
+  const double fastest =
+      std::visit([&](const auto& scene) { return fastest_oscillation(scene, time); }, file.scene);
+  return static_cast<int>(std::min(1e9, 0.5 * fastest * time * frame));
 }
 
 /// What the true motion does, as far as the chooser asks.
@@ -106,15 +115,17 @@ Pilot watch_pilot(const SceneFile& file, int substeps) {
   return pilot;
 }
 
-/// Its energy is not known where shorter steps have another.
+/// Its energy is not known where shorter steps have another, or where both damp what springs hold.
 Pilot watch_pilot(const SceneFile& file) {
-  Pilot pilot = watch_pilot(file, 8);
-  const Pilot finer = watch_pilot(file, 32);
+  constexpr int few = 8, more = 32;
+  Pilot pilot = watch_pilot(file, few);
+  const Pilot finer = watch_pilot(file, more);
   const double apart =
       std::max({std::abs(pilot.energy.most - finer.energy.most), std::abs(pilot.energy.last - finer.energy.last),
                 std::abs(pilot.energy_change - finer.energy_change)});
   pilot.energy = finer.energy, pilot.energy_change = finer.energy_change, pilot.scale = finer.scale;
-  if (!(apart < 0.5 * energy_astray) || finer.seconds < pilot.seconds)
+  if (!(apart < 0.5 * energy_astray) || finer.seconds < pilot.seconds ||
+      substeps_of_springs(file, finer.seconds) > more)
     pilot.energy = {.most = INFINITY, .last = NAN}, pilot.energy_change = NAN;
   return pilot;
 }
@@ -193,24 +204,27 @@ Ended extrapolated(const Ended& coarse, const Ended& fine, double factor) {
 /// do, they are extrapolated, and three extrapolations have to be as close. Where events are met a step sooner or
 /// later, two runs may agree by chance: so it counts as well by how much those before differed, a fourth of it for
 /// each halving since. Where bodies touch, long steps meet with another normal than short ones: there nothing is
-/// extrapolated, nor believed before steps are short, and what is not known counts twice.
-Ended refined(const Problem& problem, double time, double close) {
+/// extrapolated, nor believed before steps are short. Nor is anything believed of fewer substeps than springs
+/// need. What two runs of first order differ by counts twice, for the finer one is about as far from the true
+/// motion.
+Ended refined(const Problem& problem, double time, double close, int of_springs) {
   const AnyScene start = problem.start();
   const bool rattle = takes_rattle(start);
   Ended coarse = run(start, rattle, 8, time), best = coarse;
   // Substeps up to which no agreement is believed.
-  const auto chance = [&] { return coarse.touched ? 512 : 64; };
+  const auto chance = [&] { return std::max(of_springs, coarse.touched ? 512 : 64); };
   double uncertainty = INFINITY, cost = coarse.cost;
   std::array<double, 2> before{};     // by how much the runs before differed
   std::optional<Ended> last;          // extrapolation
   std::optional<double> last_change;  // from the extrapolation before that
   // A motion without events is worth more.
-  const auto most = [&] { return last ? 8192 : 1024; };
+  const auto most = [&] { return last || of_springs > 64 ? 8192 : 1024; };
+  int reached = 8;
   for (int substeps = 16; substeps <= most() && (substeps <= chance() || uncertainty > close); substeps *= 2) {
     Ended fine = run(start, rattle, substeps, time);
     const double apart = farthest_apart(fine.end, coarse.end), ratio = before[0] / apart;
     const double factor = std::abs(ratio - 2) < 0.2 ? 2 : std::abs(ratio - 4) < 0.4 ? 4 : 0;
-    best = fine, uncertainty = (fine.touched ? 2 : 1) * std::max({apart, before[0] / 4, before[1] / 16});
+    best = fine, uncertainty = (rattle ? 1 : 2) * std::max({apart, before[0] / 4, before[1] / 16});
     std::optional<Ended> now;
     std::optional<double> change;
     if (factor > 0 && !fine.touched) now = extrapolated(coarse, fine, factor);
@@ -218,9 +232,11 @@ Ended refined(const Problem& problem, double time, double close) {
     if (change && last_change) best = *now, uncertainty = std::max({*change, *last_change / 4, 0.01 * apart});
     const bool hopeless = (substeps >= 32 && apart > 0.5 * problem.size()) || 4 * fine.cost > reference_cost;
     cost += fine.cost;
-    last = std::move(now), last_change = change, coarse = std::move(fine), before = {apart, before[0]};
+    last = std::move(now), last_change = change, coarse = std::move(fine), before = {apart, before[0]},
+    reached = substeps;
     if (hopeless) break;
   }
+  if (reached < of_springs) uncertainty = INFINITY;
   best.before.uncertainty = best.end.uncertainty = uncertainty;
   best.cost = cost;
   return best;
@@ -305,17 +321,20 @@ NamedScene scene_of(const SceneFile& file, const Pilot& pilot, double time) {
   scene.reference = "runs whose steps are halved until two agree";
   scene.make = [file](const Problem& problem) { return scaled(file, problem["gravity"], problem["speed"]); };
   scene.reference_work = std::make_shared<std::atomic<double>>(0);
-  scene.exact = [close = closeness(file), work = scene.reference_work,
+  scene.exact = [file, close = closeness(file), work = scene.reference_work,
                  known = std::make_shared<Known>()](const Problem& problem) {
     const double at = problem.scene().time;
-    const Ended both = known->find(problem.values(), [&] { return refined(problem, at, close); });
+    const auto ended = [&](double moment) {
+      return refined(problem, moment, close, substeps_of_springs(file, moment));
+    };
+    const Ended both = known->find(problem.values(), [&] { return ended(at); });
     for (double known_cost = *work;
          known_cost < both.cost && !work->compare_exchange_weak(known_cost, both.cost);) {
     }
     return [=](double moment) {
       if (std::abs(moment - at) < 0.5 * frame) return both.end;
       if (std::abs(moment + frame - at) < 0.5 * frame) return both.before;
-      return refined(problem, moment, close).end;
+      return ended(moment).end;
     };
   };
   return scene;
@@ -332,6 +351,12 @@ Request request_of(const SceneFile& file) {
   if (!asks_for_truth(file) || !(request.problem.reference().uncertainty < 10 * closeness(file)))
     request.problem = compared_at(std::min(1.0, pilot.seconds));
   const NamedScene& scene = request.problem.scene();
+  if (asks_for_truth(file) && scene.time < pilot.seconds - frame)
+    request.notes.push_back(
+        fmt::format("Until {:.3g} s, as long as the scene is watched, its true motion is not known well enough. "
+                    "So it is compared "
+                    "after {:.2g} s.",
+                    pilot.seconds, scene.time));
   if (asks_for_truth(file)) {
     const auto state = scene.exact(request.problem);
     request.last_motion = farthest_apart(state(scene.time), state(scene.time - frame));
@@ -351,6 +376,11 @@ Request request_of(const SceneFile& file) {
     else if (!has(scene, error))
       request.notes.push_back(fmt::format(
           "The file limits the error of {}, but the true motion of this scene does not keep it.", name));
+    else if (needs_truth(error) && std::isinf(request.problem.reference().uncertainty))
+      request.notes.push_back(fmt::format(
+          "The file limits the error of {}, but after {:.2g} s the true motion is not known: steps "
+          "that are short enough for its springs cost more than is allowed. So this limit is left out.",
+          name, scene.time));
     else if (needs_truth(error) &&
              !(request.problem.reference().uncertainty < 0.25 * (error == Error::trajectory ? limit : scene.body)))
       request.notes.push_back(fmt::format(

@@ -59,12 +59,13 @@ TEST(Request, KnowsTheTrueMotion) {
   }
 }
 
-/// A bob of 1 kg that hangs on a spring of 400 N/m, stretched by 10 cm, of so much damping [N s/m].
-SceneFile bob_on_a_spring(double damping) {
+/// A bob of 1 kg that hangs on a spring that is stretched by 10 cm, of so much damping [N s/m] and stiffness
+/// [N/m].
+SceneFile bob_on_a_spring(double damping, int stiffness = 400) {
   SceneFile file = read_scene(R"({"model": "plane particles", "gravity": [0, -9.81], "step": 0.0166, "duration": 2,
       "bodies": [{"fixed": true, "position": [0, 0]}, {"mass": 1, "position": [0, -1.1]}],
-      "constraints": [{"kind": "spring", "bodies": [0, 1], "length": 1, "stiffness": 400, "damping": )" +
-                              std::to_string(damping) + "}]}");
+      "constraints": [{"kind": "spring", "bodies": [0, 1], "length": 1, "stiffness": )" +
+                              std::to_string(stiffness) + R"(, "damping": )" + std::to_string(damping) + "}]}");
   file.accuracy = {{"energy", 0.01}, {"trajectory", 1e-4}};
   return file;
 }
@@ -82,6 +83,28 @@ TEST(Request, KnowsHowASpringSwings) {
     EXPECT_NEAR(request.problem.reference().positions[0].y(), exact, 1e-5) << damping;
     EXPECT_TRUE(request.limits.contains(Error::trajectory)) << damping;
   }
+}
+
+// In 10 s runs of 8 to 512 substeps damp a spring of 30 kN/m to rest, and agree that it hangs still: not so within
+// a second, and not if its own damper does.
+TEST(Request, DoesNotBelieveThatAStiffSpringComesToRest) {
+  const auto asked = [](double damping, double duration) {
+    SceneFile file = bob_on_a_spring(damping, 30000);
+    file.duration = duration;
+    file.accuracy = {{"trajectory", 1e-3}};
+    return request_of(file);
+  };
+  const Request request = asked(0, 10);
+  ASSERT_FALSE(request.notes.empty());
+  EXPECT_THAT(request.notes[0], HasSubstr("not known well enough"));
+  EXPECT_NEAR(request.problem.compared_at(), 1, 1e-9);
+  const double sag = 9.81 / 30000, exact = -1 - sag - (0.1 - sag) * std::cos(std::sqrt(30000.0));
+  const Reference& known = request.problem.reference();
+  EXPECT_LT(known.uncertainty, 0.01);
+  EXPECT_NEAR(known.positions[0].y(), exact, known.uncertainty);
+  const Request damped = asked(50, 10);
+  EXPECT_NEAR(damped.problem.compared_at(), 10, 1e-9);
+  EXPECT_NEAR(damped.problem.reference().positions[0].y(), -1 - sag, 1e-9);
 }
 
 // y = -1 - g/ω² - (0.1 - g/ω²) cos ωt in the last frame, and with critical damping next to nothing.
