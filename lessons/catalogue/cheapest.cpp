@@ -30,14 +30,17 @@ class Variant {
       others_.emplace_back(starts[i], family, watch_of(starts[i], wish, INFINITY), &known[i]);
   }
 
-  /// The least substeps from the law's on with which some strength reaches the wish; then fewer passes.
+  /// The least substeps from the law's on with which some strength reaches the wish, or the most that may be paid
+  /// for where fewer come near it.
   void search(Cure cure, int passes) {
     Knobs knobs = first_knobs(problem_, runs_.family(), cure, passes);
     if (const Point& first = tuned(knobs); first.outcome == Outcome::refused) return;
+    constexpr double near = 4;  // times the limit
     int missed = 0, waited = 0;
     double before = INFINITY;
     while (!reaches(tuned(knobs))) {
       const Point& now = tuned(knobs);
+      if (now.outcome == Outcome::too_slow && before < near) break;
       if (now.outcome == Outcome::too_slow || knobs.substeps >= 4096 || ends()) return;
       if (now.outcome == Outcome::no_solution && runs_.family().name == "direct" && knobs.regularisation == 0) {
         knobs.regularisation = 1e-9;  // rows that repeat each other
@@ -52,7 +55,8 @@ class Variant {
     }
     for (int enough = knobs.substeps; enough - missed > std::max(1, enough / 16) && !ends();) {
       knobs.substeps = missed + (enough - missed) / 2;
-      (reaches(tuned(knobs)) ? enough : missed) = knobs.substeps;
+      const Point& now = tuned(knobs);
+      (reaches(now) || now.outcome == Outcome::too_slow ? enough : missed) = knobs.substeps;
     }
   }
 
@@ -133,6 +137,14 @@ class Variant {
     if (const auto known = tuned_.find(key); known != tuned_.end()) return runs_.at(known->second);
     Knobs at = within_laws(problem_, runs_.family(), knobs);
     const Point* best = &run(at);
+    for (const double relaxation : first_relaxations()) {
+      if (reaches(*best) || best->outcome == Outcome::refused || ends()) break;
+      Knobs other = at;
+      other.relaxation = relaxation;
+      const Point& point = run(within_laws(problem_, runs_.family(), other));
+      if (rank(point) < rank(*best)) best = &point;
+    }
+    at = best->knobs;
     for (double stride = 4; stride > 1.1 && !reaches(*best) && best->outcome != Outcome::refused && !ends();) {
       bool moved = false;
       for (const Knobs& next : tried(at, stride)) {
@@ -146,6 +158,12 @@ class Variant {
     }
     tuned_[key] = best->knobs;
     return *best;
+  }
+
+  /// From which a search begins besides: what coarser steps have found is far from what finer ones need.
+  std::vector<double> first_relaxations() const {
+    if (runs_.family().most_relaxation > 1) return {1, 1.7};
+    return runs_.family().least_relaxation < 1 ? std::vector{0.5} : std::vector<double>{};
   }
 
   std::vector<Knobs> tried(const Knobs& knobs, double stride) const {

@@ -239,6 +239,19 @@ TEST(Cheapest, KeepsTheWishFromEveryStartThatItIsGiven) {
   EXPECT_GT(of_all.cost, of_one.cost);
 }
 
+// A search that doubles the substeps passes from too few to more than may be paid for.
+TEST(Cheapest, FindsWhatKeepsTheWishBetweenTooFewSubstepsAndTooDearOnes) {
+  const Problem problem("double_pendulum");
+  const Family& family = family_named("RK4");
+  const auto run = [&](int substeps) { return whole_run(problem, family, {.substeps = substeps}, {}); };
+  const Point six = run(6), eight = run(8);
+  const Wish wish{.limits = {{Error::energy, 1.05 * six[Error::energy]}}};
+  EXPECT_GT(run(4)[Error::energy], wish.limits.at(Error::energy));
+  const Candidate found = cheapest(std::span(&problem, 1), family, wish, 0.5 * (six.cost + eight.cost));
+  EXPECT_TRUE(found.reached);
+  EXPECT_LE(found.point.cost, 1.01 * six.cost);
+}
+
 TEST(Chooser, FindsTheMarginByRunning) {
   const Problem problem = short_chain();
   Point point;
