@@ -138,6 +138,7 @@ class Choosing {
   Candidate with_more_substeps(const Contest& contest, const Candidate& candidate, double until);
   Candidate found_again(Contest& contest, const Candidate& candidate, double until);
   Verification counted(const Contest& contest, const Point& point);
+  bool keeps_added(const Contest& contest, const Point& point);
   std::vector<Candidate> verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
                                   double until);
   std::vector<Candidate> verified_with_dearer();
@@ -266,6 +267,15 @@ Verification Choosing::counted(const Contest& contest, const Point& point) {
   return verification;
 }
 
+/// Whether it keeps the wish from the starts, too, that others have missed: these are verified from no more, and a
+/// search that was before does not know them.
+bool Choosing::keeps_added(const Contest& contest, const Point& point) {
+  return std::all_of(contest.starts.begin() + static_cast<long>(first_starts_.size()), contest.starts.end(),
+                     [&](const Problem& start) {
+                       return excess(whole(start, *point.family, point.knobs), contest.wish.limits) <= 1;
+                     });
+}
+
 /// Of candidates that reach the wish the cheapest that keep it from all starts over the whole time, by their
 /// costs: as many as are wanted, and as are paid for until `until` instructions are spent. One that does not is
 /// looked for again, and so takes its place further back. `choice_.verified` becomes that of the first.
@@ -283,15 +293,17 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
       break;
     }
     const Verification verification = counted(contest, next->point);
-    if (verification.kept()) {
+    if (verification.kept() && keeps_added(contest, next->point)) {
       if (kept.empty()) choice_.verified = verification;
       kept.push_back(*next);
       next->reached = false;
       continue;
     }
-    int& missed = contest.verified_from[static_cast<std::size_t>(verification.worst)];
-    contest.starts.push_back(problem_.variation(missed, of_verification));
-    missed = contest.next++;
+    if (!verification.kept()) {
+      int& missed = contest.verified_from[static_cast<std::size_t>(verification.worst)];
+      contest.starts.push_back(problem_.variation(missed, of_verification));
+      missed = contest.next++;
+    }
     *next = found_again(contest, *next, work() + most_of_one_);
     next->reached = next->reached && ++misses[next - found.data()] < most_attempts;
   }
@@ -407,8 +419,8 @@ std::optional<Point> Choosing::tighter(double part, const std::vector<const Fami
   Contest tight{wish_, first_starts_, first_numbers(starts_), starts_};
   for (auto& [error, limit] : tight.wish.limits) limit *= part;
   tight.wish.budget = nullptr;
-  if (work() > until) return {};
   if (choice_.verified.excess <= part) return choice_.best.point;  // from the starts that it was verified from
+  if (work() > until) return {};
   std::vector<Candidate> again(able.size());
   // A search that is allowed much takes long, and finds nothing cheaper than one that found something.
   for (const double times : {4.0, 100.0}) {
