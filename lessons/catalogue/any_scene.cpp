@@ -7,6 +7,7 @@
 
 #include "lessons/catalogue/separation.hpp"
 #include "solver/constraints/contact_manifold.hpp"
+#include "solver/constraints/hinge.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/direct/equations.hpp"
@@ -302,6 +303,8 @@ std::string AnyScene::row_kind() const {
       kind = bounded ? "ropes" : "bobs";
     else
       kind = bounded ? "machines" : scene.template all<Pin>().empty() ? "balls" : "links";
+    if constexpr (M::angular == 3)
+      if (kind == "balls" && !scene.template all<Hinge<M>>().empty()) kind = "hinges";
     return kind + (M::linear == 2 ? "" : " in space");
   });
 }

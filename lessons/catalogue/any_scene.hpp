@@ -85,7 +85,8 @@ class AnyScene {
   int degrees_of_freedom() const;
   /// What its rows act on, for their prices: "free bobs" or "free bodies" are held by nothing, "ropes" hold bobs
   /// with bounds, "machines" have a motor, a servo or a limit among their joints, shapes touch as "boxes", "balls
-  /// that touch" or "joined shapes"; else "bobs", "balls" or "links". All of these also "… in space".
+  /// that touch" or "joined shapes"; else "bobs", "balls" or "links". All of these also "… in space", and there
+  /// "hinges in space".
   std::string row_kind() const;
   /// Rows of all constraints.
   int rows() const;

@@ -29,6 +29,7 @@
 #include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/ragdoll.hpp"
 #include "lessons/scenes/slider_crank.hpp"
+#include "solver/constraints/hinge.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/rope.hpp"
 
@@ -154,6 +155,19 @@ Problem ropes(int links) {
   return uncatalogued("ropes", scene);
 }
 
+/// A chain of links that swing about one axis each.
+Problem hinged(int links) {
+  using M = SpaceBody;
+  Scene<M> scene;
+  scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  for (int i = 1; i <= links; ++i) {
+    scene.add_body(Linear<M>((i - 0.5) * Linear<M>::UnitX()), box<M>(1 + i % 2, {1, 0.1, 0.2}));
+    const Linear<M> axis = Linear<M>(0, 0.3 * (i % 3), 1).normalized();
+    scene.add(hinge(scene.bodies(), i - 1, i, Linear<M>((i - 1.0) * Linear<M>::UnitX()), axis));
+  }
+  return uncatalogued("hinges", scene);
+}
+
 /// A chain whose first joint is driven and whose others have stops.
 template <class M>
 Problem machine(int links, double strength) {
@@ -239,7 +253,7 @@ Problem drawn_problem(Draws& draws) {
   const double links = draws.one_of({1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0});
   const double kick = draws.one_of({0.0, 0.02, 0.02});
   const int few = draws.one_of({1, 2, 3, 5, 10, 20});
-  switch (draws.below(25)) {
+  switch (draws.below(26)) {
     case 0: return Problem("stack", {{"boxes", draws.one_of({2.0, 3.0, 5.0, 8.0, 12.0, 30.0})}, {"kick", kick}});
     case 1: return Problem("pyramid", {{"base", draws.one_of({2.0, 3.0, 4.0, 6.0, 9.0, 12.0})}, {"kick", kick}});
     case 2: return Problem(draws.one_of({"incline", "four_bar"}));
@@ -267,6 +281,7 @@ Problem drawn_problem(Draws& draws) {
     case 18: return ragdolls(draws.one_of({1, 1, 2, 5}), draws.one_of({0.02, 0.5}));
     case 19: return fallen_chain<PlaneBody>(draws.one_of({2, 3, 5, 10}), draws.one_of({0.0, 0.1}), draws.below(2));
     case 20: return fallen_chain<SpaceBody>(draws.one_of({2, 3, 5}), draws.one_of({0.0, 0.1}), draws.below(2));
+    case 21: return hinged(few);
     default: return Problem("chain", {{"links", links}}, model);
   }
 }
