@@ -351,7 +351,8 @@ void chain_in_space(const Setting& setting, Page& page) {
 
 namespace {
 
-/// Of an articulation that fails as shipped: with the friction that its joints ship with, which is off here.
+/// Of an articulation that fails as shipped: both rows with the friction that its joints ship with, which is off
+/// here.
 template <class M>
 void with_friction(Page& page, const std::vector<Outcomes<Hung>>& outcomes, const Scene<M>& scene, int frames) {
   const auto is_it = [](const auto& one) { return one.name == "PhysX articulation"; };
@@ -359,16 +360,22 @@ void with_friction(Page& page, const std::vector<Outcomes<Hung>>& outcomes, cons
   if (shipped == outcomes.end() || std::isfinite(shipped->by_setting[0].gap)) return;
   const std::vector<Engine> all = members(Party::webassembly);
   const Engine& engine = *std::find_if(all.begin(), all.end(), is_it);
-  const Hung hung = hang<M>(engines::contestant<M>(engine, {.knobs = {{"joint friction", 0.05}}}), scene, frames);
-  const Quantity gap("gap with friction", hung.gap);
-  page.text("@", page.verdict(
-                     {{.when = gap < 1,
-                       .say = say("With the friction of 0.05 that PhysX ships its articulations' joints with it "
-                                  "holds: a gap of @, and it @ @ of the energy.",
-                                  in_millimetres(hung.gap), hung.gained < 0 ? "loses" : "gains",
-                                  in_per_cent(std::abs(hung.gained)))},
-                      {.when = gap >= 1,
-                       .say = "With the friction of 0.05 that PhysX ships its joints with it fails as well."}}));
+  double worst = 0, change = 0;
+  for (const std::size_t row : {0, 1}) {
+    engines::Setting setting = engine.settings.joints[row];
+    setting.knobs = {{"joint friction", 0.05}};
+    const Hung hung = hang<M>(engines::contestant<M>(engine, setting), scene, frames);
+    worst = larger(worst, hung.gap), change = farther(change, hung.gained);
+  }
+  const Quantity gap("the larger gap with friction", worst);
+  page.text("@",
+            page.verdict(
+                {{.when = gap < 1,
+                  .say = say("With the friction of 0.05 that PhysX ships its articulations' joints with it holds, "
+                             "as shipped and as advised: gaps of at most @, and the energy changes by @ at most.",
+                             in_millimetres(worst), in_per_cent(change))},
+                 {.when = gap >= 1,
+                  .say = "With the friction of 0.05 that PhysX ships its joints with it fails as well."}}));
 }
 
 template <class M>

@@ -60,6 +60,16 @@ std::string in_words(double error, Unit unit) {
   return unit == Unit::metres ? say("@ mm", Value(1000 * error, 2)) : say("@ rad", Value(error, 2));
 }
 
+namespace {
+
+/// One number, or from where to where they go by the start.
+std::string in_words(const Spread& spread, Unit unit) {
+  const std::string least = in_words(spread.least, unit), most = in_words(spread.most, unit);
+  return told(spread.most) < 1.1 * told(spread.least) || least == most ? most : say("@ to @", least, most);
+}
+
+}  // namespace
+
 std::string listed(const std::vector<std::string>& names) {
   std::string all;
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -72,8 +82,9 @@ std::vector<std::vector<std::string>> three_rows(const Field<M>& field, const st
                                                  Unit unit) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < all.size(); ++i)
-    rows.push_back({all[i].name, in_words(all[i].shipped(), unit), in_words(all[i].advised(), unit),
-                    in_words(all[i].best(), unit), field.entrants[i].settings[all[i].best_setting()].words()});
+    rows.push_back({all[i].name, in_words(all[i].spread(0), unit), in_words(all[i].spread(1), unit),
+                    in_words(all[i].spread(all[i].best_setting()), unit),
+                    field.entrants[i].settings[all[i].best_setting()].words()});
   return rows;
 }
 
@@ -275,6 +286,17 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
 }
 
 template <class M>
+Scene<M> nudged(Scene<M> scene, int way) {
+  for (int i = 0; i < scene.bodies().size(); ++i) {
+    const double turns = 0.618 * i + 0.1 * way, place = turns - std::floor(turns);
+    if (moves(scene.bodies().inverse_mass[i]))
+      scene.set_position(i,
+                         Linear<M>(scene.bodies().pose[i].position + 2e-6 * (place - 0.5) * Linear<M>::Unit(0)));
+  }
+  return scene;
+}
+
+template <class M>
 double deepest_overlap(const Scene<M>& scene) {
   ContactManager<M> contacts;
   contacts.find(scene);
@@ -289,33 +311,41 @@ std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>&
   const std::string best = std::isfinite(field.most_work)
                                ? say("At their best of up to @ iterations a frame,", field.most_work)
                                : std::string("At their best,");
-  const std::pair<std::string, double (Errors::*)() const> rows[] = {
-      {"As shipped,", &Errors::shipped}, {"As advised,", &Errors::advised}, {best, &Errors::best}};
-  for (const auto& [name, number] : rows) {
-    const double own = told((all[0].*number)());
-    double worst_ahead = 0, worst_level = 0, least = INFINITY, ends = margin;
+  const std::pair<std::string, std::function<Spread(const Errors&)>> rows[] = {
+      {"As shipped,", [](const Errors& one) { return one.spread(0); }},
+      {"As advised,", [](const Errors& one) { return one.spread(1); }},
+      {best, [](const Errors& one) { return one.spread(one.best_setting()); }}};
+  for (const auto& [name, spread_of] : rows) {
+    const Spread ours_from = spread_of(all[0]);
+    // Ahead is who has less from all starts than this course has from any.
+    const double own = told(ours_from.most), own_least = told(ours_from.least);
+    double worst_ahead = 0, worst_level = 0, least = INFINITY, least_level = INFINITY, ends = margin;
     std::vector<std::string> ahead, level;
     for (std::size_t i = 1; i < all.size(); ++i) {
-      const double finest = margin_of(all[i], unit, field.kind), error = told((all[i].*number)(), finest),
-                   beside = told(own, finest);
-      least = std::min(least, error);
-      if (engines::equal_errors * error < beside)
+      const double finest = margin_of(all[i], unit, field.kind);
+      const Spread theirs_from = spread_of(all[i]);
+      const double error = told(theirs_from.most, finest), error_least = told(theirs_from.least, finest);
+      least = std::min(least, error_least);
+      if (engines::equal_errors * error < told(own_least, finest))
         ahead.push_back(all[i].name), worst_ahead = std::max(worst_ahead, error);
-      else if (std::isfinite(own) && error < engines::equal_errors * beside)
-        level.push_back(all[i].name), worst_level = std::max(worst_level, error), ends = std::max(ends, finest);
+      else if (std::isfinite(own_least) && error_least < engines::equal_errors * told(own, finest))
+        level.push_back(all[i].name), worst_level = std::max(worst_level, error),
+                                      least_level = std::min(least_level, error_least),
+                                      ends = std::max(ends, finest);
     }
     std::vector<std::string> below{"this course"};
     below.insert(below.end(), level.begin(), level.end());
-    const Quantity ours("ours", own), theirs("the least of theirs", least);
+    const bool by_chance = own > engines::equal_errors * own_least || worst_level > engines::equal_errors * own;
+    const Quantity ours("ours", own), ours_at_least("ours", own_least), theirs("the least of theirs", least);
     course::Judgement sentence;
-    if (!ahead.empty() && std::isfinite(own))
-      sentence = {.when = Quantity("the largest of theirs", worst_ahead) < ours,
+    if (!ahead.empty() && std::isfinite(own_least))
+      sentence = {.when = Quantity("the largest of theirs", worst_ahead) < ours_at_least,
                   .say = say("@ this course has more @ than @.", name, what, listed(ahead))};
     else if (!ahead.empty())
       sentence = {.when = Quantity("the largest of theirs", worst_ahead) < INFINITY,
                   .say = say("@ this course fails, and @.", name,
                              ahead.size() == 1 ? ahead[0] + " does not" : listed(ahead) + " do not")};
-    else if (!std::isfinite(own))
+    else if (!std::isfinite(own_least))
       sentence = {.when = theirs >= INFINITY, .say = say("@ all fail.", name)};
     else if (level.empty())
       sentence = {.when = theirs > ours, .say = say("@ this course has the least @.", name, what)};
@@ -324,6 +354,11 @@ std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>&
                   .say = say("@ @ have at most @, where this comparison ends@.", name, listed(below),
                              unit == Unit::radians ? "10⁻⁶ rad" : say("@ µm", Value(1e6 * ends, 1)),
                              ends > margin ? " beside single precision" : "")};
+    else if (by_chance)
+      sentence = {.when = Quantity("the least of theirs", least_level) <
+                          Quantity("1.01 × the largest of ours", engines::equal_errors * own),
+                  .say = say("@ whether this course has less @ than @ hangs on the last digits of the start.",
+                             name, what, listed(level))};
     else
       sentence = {.when = Quantity("the largest of those level", worst_level) <=
                           Quantity("1.01 × ours", engines::equal_errors * own),
@@ -341,6 +376,7 @@ std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>&
   template std::string judged(Page&, const Field<M>&, const std::vector<Errors>&, Unit, const std::string&);    \
   template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Timed<M>&, const std::string&, \
                               Unit);                                                                            \
+  template Scene<M> nudged(Scene<M>, int);                                                                      \
   template double deepest_overlap(const Scene<M>&)
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceBody);

@@ -2,6 +2,8 @@
 
 #include "lessons/10_beside_the_engines/setting.hpp"
 
+#include <map>
+
 #include "lessons/engines/contest.hpp"
 
 // Who takes part in a contest, with which settings, and the charts of its outcome.
@@ -81,21 +83,62 @@ inline double farther(double a, double b) { return std::abs(b) <= std::abs(a) ? 
 /// As far as errors are compared.
 inline double told(double error, double least = margin) { return std::max(error, least); }
 
+/// An error from several starts.
+struct Spread {
+  double least = INFINITY, most = INFINITY;
+};
+
 /// One number of each setting of an entrant, the less the better; infinite where it failed.
 struct Errors {
   std::string name;
   bool single = false;  // precision
   std::vector<double> by_setting = {};
+  std::map<std::size_t, Spread> spreads = {};  // of settings that were run from other starts, too
 
+  Spread spread(std::size_t setting) const {
+    const auto found = spreads.find(setting);
+    return found == spreads.end() ? Spread{by_setting[setting], by_setting[setting]} : found->second;
+  }
   double shipped() const { return by_setting[0]; }
   double advised() const { return by_setting[1]; }
   double best() const { return by_setting[best_setting()]; }
+  /// Of those that were run from other starts, where any were.
   std::size_t best_setting() const {
-    return std::min_element(by_setting.begin(), by_setting.end(),
-                            [](double a, double b) { return told(a) < told(b); }) -
-           by_setting.begin();
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < by_setting.size(); ++i)
+      if ((spreads.empty() || spreads.contains(i)) && told(spread(i).most) < told(spread(best).most)) best = i;
+    return best;
   }
 };
+
+/// The scene with each box up to 1 µm aside, in one of several ways.
+template <class M>
+Scene<M> nudged(Scene<M> scene, int way);
+constexpr int ways = 4;
+
+/// Runs settings from the scene nudged in all ways, too: both rows, and those whose error is near the best.
+template <class M, class F>
+void add_spreads(const Field<M>& field, const Scene<M>& scene, std::vector<Errors>& all, F&& error_of) {
+  constexpr double near = 1.5;  // times the best
+  constexpr std::size_t most_tried = 2;
+  if (all.size() < 2) return;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Errors& errors = all[i];
+    const double best = errors.best();
+    std::vector<std::size_t> tried{0, 1};
+    for (std::size_t j = 2; j < errors.by_setting.size() && tried.size() < 2 + most_tried; ++j)
+      if (std::isfinite(best) && told(errors.by_setting[j]) <= near * told(best)) tried.push_back(j);
+    for (const std::size_t j : tried) {
+      Spread spread{errors.by_setting[j], errors.by_setting[j]};
+      for (int way = 0; way < ways && std::isfinite(spread.most); ++way) {
+        const double error = error_of(field.entrants[i].settings[j], nudged(scene, way));
+        spread.least = std::min(spread.least, error);
+        spread.most = std::isfinite(error) ? std::max(spread.most, error) : INFINITY;
+      }
+      errors.spreads[j] = spread;
+    }
+  }
+}
 
 /// What has come of a scene with each setting of an entrant.
 template <class Outcome>

@@ -43,10 +43,9 @@ int main(int argc, char** argv) {
     known.emplace_back(
         "A load on a chain needs short steps: on velocities alone an exact solve tears it where the step is too "
         "long, and "
-        "coordinates that cannot part explode. A correction of positions with new Jacobians holds it in one step "
-        "a frame, "
-        "too. A tall stack needs "
-        "many iterations, short steps, a direct solve, or contacts that give way.");
+        "coordinates that cannot part explode. A tall stack needs short steps, many iterations or a direct solve "
+        "that "
+        "converges; contacts that give way need short steps as well.");
     const auto soft = [](const auto& engine) { return engine.name == "Box2D 3" || engine.name == "Box3D"; };
     if (std::any_of(engines::all_engines().begin(), engines::all_engines().end(), soft))
       known.emplace_back(

@@ -140,7 +140,7 @@ void the_engines(const Setting& setting, Page& page) {
       course the source is its lessons 8 and 9).)");
   if (!alone())
     page.text(
-        R"(*Best of the settings tried*: each engine, this course too, is tried with @ steps a frame, with contacts @. An
+        R"(*Best of the settings tried*: besides these two each engine, this course too, is tried with @ steps a frame, with contacts @. An
         iterative one shares out up to @ iterations a frame among them (a pendulum @, in space @; contacts @, the
         pyramid in space @), and one that takes a sweep a substep (Box2D 3, Box3D) as many substeps in one step. Not counted are the rounds of this
         course's Newton's method, though its time is. For joints this course also tries lesson 9's RK4 and RATTLE, which
