@@ -311,9 +311,36 @@ TEST_IN_ALL_MODELS(Step, MustHaveATimeAndChoicesWithinTheirRange) {
   refuses(0.1, {GaussSeidel{}, SoftConstraints{.speed_cap = nan}}, "speed cap is nan", "[m/s]");
   refuses(0.1, {Direct{Factorisation::structured, -1}}, "regularisation is -1", "between 0 and 1");
   refuses(0.1, {Direct{.smallest_pivot = 1.5}}, "smallest pivot is 1.5", "between 0 and 1");
+  for (const double bad : {0.0, 1.5, nan})
+    refuses(0.1, {Direct{.tolerance = bad}}, fmt::format("tolerance is {}", bad), "above 0 and at most 1");
   AnyStepping method;
   method.substeps = 0;
   refuses(0.1, method, "number of substeps is 0", "at least 1");
+  method = {};
+  method.bounce_threshold = -0.1;
+  refuses(0.1, method, "bounce threshold is -0.1", "[m/s]");
+}
+
+// The reference pages state them.
+TEST(Defaults, AreThoseOfTheReference) {
+  EXPECT_EQ(GaussSeidel{}.sweeps, 10);
+  EXPECT_EQ(Jacobi{}.sweeps, 10);
+  EXPECT_EQ(ConjugateSweeps{}.sweeps, 50);
+  EXPECT_EQ(Direct{}.rounds, 20);
+  EXPECT_EQ(AnyStepping{}.substeps, 1);
+  EXPECT_EQ(AnyStepping{}.bounce_threshold, 0.5);
+}
+
+// On the allowed side of the limit.
+TEST(Strength, OfAServoOrMotorMayBeZero) {
+  using M = PlaneBody;
+  Scene<M> scene = pinned_chain<M>({.links = 1});
+  const Turn<M> joint = turn<M>(scene.bodies(), 0, 1);
+  EXPECT_NO_THROW(scene.add(servo(joint, 1, {100, 1}, 0)));
+  EXPECT_NO_THROW(scene.add(motor(joint, 1, 0)));
+  expect_refusal("strength of the servo is -1", "zero or above", [&] {
+    scene.add(servo(joint, 1, {100, 1}, -1));
+  });
 }
 
 TEST(Scenes, RefuseWhatTheyCannotBuild) {
