@@ -215,10 +215,9 @@ void wall_in_webassembly_of(int base, const std::string& where, Page& page) {
   const auto still = outcomes_of(field, [&](const auto& who) { return watched(who, scene, 0); });
   const auto moved = with_spreads(field, scene, still), overlap = errors_of(still, &Wall::overlap);
   page.text(
-      "A pyramid as in step 6, of @ boxes, @: the largest sideways displacement of a box from rest within @ s, "
-      "from "
-      "several starts as there. Of more boxes MuJoCo takes minutes. Its advice is against slip, and PhysX's for "
-      "joints; for piles they give none.",
+      R"(A pyramid as in step 6, of @ boxes, @: the largest sideways displacement of a box from rest within @ s, from
+      several starts as there. Of more boxes MuJoCo takes minutes. Its advice is against slip, and PhysX's for joints;
+      for piles they give none.)",
       base * (base + 1) / 2, where, wall_frames * frame);
   tell_three<M>(page, field, moved, Unit::metres);
   compare_by_time(

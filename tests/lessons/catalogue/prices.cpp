@@ -168,20 +168,23 @@ Problem hinged(int links) {
   return uncatalogued("hinges", scene);
 }
 
+/// The turn of a link of a chain in the plane x, y against the one before it.
+template <class M>
+Turn<M> turn_of(const Scene<M>& scene, int link) {
+  if constexpr (M::angular == 1)
+    return turn<M>(scene.bodies(), link - 1, link);
+  else
+    return turn<M>(scene.bodies(), link - 1, link, Linear<M>::UnitZ());
+}
+
 /// A chain whose first joint is driven and whose others have stops.
 template <class M>
 Problem machine(int links, double strength) {
   Scene<M> scene = pinned_chain<M>({.links = links, .angle = 1.3});
-  const auto joint = [&](int link) {
-    if constexpr (M::angular == 1)
-      return turn<M>(scene.bodies(), link - 1, link);
-    else
-      return turn<M>(scene.bodies(), link - 1, link, Linear<M>::UnitZ());
-  };
-  scene.add(motor(joint(1), 2, strength));
+  scene.add(motor(turn_of(scene, 1), 2, strength));
   for (int link = 2; link <= links; ++link)
     for (const Stop stop : {Stop::lower, Stop::upper})
-      scene.add(Limit<M, Turn>{joint(link), stop == Stop::lower ? -0.4 : 0.4, stop});
+      scene.add(Limit<M, Turn>{turn_of(scene, link), stop == Stop::lower ? -0.4 : 0.4, stop});
   return uncatalogued("machine", scene);
 }
 
@@ -214,12 +217,6 @@ template <class M>
 Problem fallen_chain(int links, double height, bool driven) {
   Scene<M> scene;
   add_ground(scene);
-  const auto joint = [&](int link) {
-    if constexpr (M::angular == 1)
-      return turn<M>(scene.bodies(), link - 1, link);
-    else
-      return turn<M>(scene.bodies(), link - 1, link, Linear<M>::UnitZ());
-  };
   for (int i = 1; i <= links; ++i) {
     Pose<M> pose;
     pose.position = 1.1 * i * Linear<M>::Unit(0) + (0.2 + height) * Linear<M>::Unit(1);
@@ -228,7 +225,7 @@ Problem fallen_chain(int links, double height, bool driven) {
     add_box(scene, pose, 1 + i % 2, sides);
     if (i > 1) scene.add(pin<M>(scene.bodies(), i - 1, i, Linear<M>(pose.position - 0.55 * Linear<M>::Unit(0))));
   }
-  if (driven && links > 1) scene.add(motor(joint(2), 2, 50));
+  if (driven && links > 1) scene.add(motor(turn_of(scene, 2), 2, 50));
   return uncatalogued("chain on the ground", scene);
 }
 
