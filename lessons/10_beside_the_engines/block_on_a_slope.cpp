@@ -12,6 +12,7 @@ using M = PlaneBody;
 constexpr int slope_frames = 120;  // 2 s
 constexpr double degree = std::numbers::pi / 180;
 constexpr double start_depth = 1e-6;  // [m]
+constexpr int seeds = 40;
 
 /// How far the block has come down the slope in two seconds, and in the last of them [m].
 struct Slid {
@@ -36,7 +37,7 @@ std::vector<Contestant<M>> by_other_seeds(const Entrant<M>& entrant, std::size_t
   const Engine* engine = engine_named(entrant.name);
   std::vector<Contestant<M>> found;
   if (!engine || !engine->random_rows) return found;
-  for (const double seed : {2, 3, 4, 5, 6, 7, 8}) {
+  for (int seed = 2; seed <= seeds; ++seed) {
     engines::Setting setting = entrant.settings[row].setting;
     auto turned = setting.knobs.turned();
     turned.emplace_back("seed", seed);
@@ -137,17 +138,17 @@ void block_on_a_slope(const Setting& setting, Page& page) {
         nearly_held.push_back(slide(one, limit + aside[2] * degree, mu));
         held.push_back(slide(one, limit + aside[3] * degree, mu));
       }
-      const auto seeds = held.size();
+      const auto tried = held.size();
       const auto beyond = std::ranges::count_if(nearly_held, [&](const Slid& one) { return one.way > nearly; });
       const auto moving_still =
           std::ranges::count_if(held, [&](const Slid& one) { return std::abs(one.in_the_last_second) > creep; });
       const auto of_the_seeds = [&](long count) {
-        return seeds > 1 ? say("@ (with @ of @ seeds)", name, count, seeds) : name;
+        return tried > 1 ? say("@ (with @ of @ seeds)", name, count, tried) : name;
       };
       if (beyond > 0) further.push_back(of_the_seeds(beyond));
-      if (seeds > 1) {
+      if (tried > 1) {
         const auto [least, most] = std::ranges::minmax(nearly_held, {}, &Slid::way);
-        chance += say(" With @ seeds @ slides by @ to @ m.", seeds, name, Value(least.way, 3), Value(most.way, 3));
+        chance += say(" With @ seeds @ slides by @ to @ m.", tried, name, Value(least.way, 3), Value(most.way, 3));
       }
       const double speed = slid[3].in_the_last_second;
       rows.back().push_back(std::abs(speed) > creep ? say("@ mm/s", Value(1000 * speed, 2)) : std::string("0"));

@@ -304,17 +304,35 @@ double deepest_overlap(const Scene<M>& scene) {
 }
 
 template <class M>
-std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
-                   const std::string& what) {
+double passes_a_frame(const Scene<M>& scene, double speed, int frames) {
+  Simulation<M> simulation{scene};
+  for (int i = 0; i < settling; ++i) simulation.step(frame);
+  if (speed > 0) kick(simulation.scene, speed);
+  const long long before = simulation.work.executed.passes;
+  for (int i = 0; i < frames; ++i) simulation.step(frame);
+  return static_cast<double>(simulation.work.executed.passes - before) / frames;
+}
+
+namespace {
+
+/// What of each entrant is compared, and how the sentence about it begins.
+struct Compared {
+  std::string name;
+  std::function<Spread(const Errors&)> spread;
+};
+
+template <class M>
+Compared best_of(const Field<M>& field) {
+  return {std::isfinite(field.most_work) ? say("At their best of up to @ iterations a frame,", field.most_work)
+                                         : std::string("At their best,"),
+          [](const Errors& one) { return one.spread(one.best_setting()); }};
+}
+
+template <class M>
+std::string judged_by(const std::vector<Compared>& rows, Page& page, const Field<M>& field,
+                      const std::vector<Errors>& all, Unit unit, const std::string& what) {
   if (all.size() < 2) return "";
   std::string words;
-  const std::string best = std::isfinite(field.most_work)
-                               ? say("At their best of up to @ iterations a frame,", field.most_work)
-                               : std::string("At their best,");
-  const std::pair<std::string, std::function<Spread(const Errors&)>> rows[] = {
-      {"As shipped,", [](const Errors& one) { return one.spread(0); }},
-      {"As advised,", [](const Errors& one) { return one.spread(1); }},
-      {best, [](const Errors& one) { return one.spread(one.best_setting()); }}};
   for (const auto& [name, spread_of] : rows) {
     const Spread ours_from = spread_of(all[0]);
     // Ahead is who has less from all starts than this course has from any.
@@ -368,12 +386,32 @@ std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>&
   return words;
 }
 
+}  // namespace
+
+template <class M>
+std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
+                   const std::string& what) {
+  return judged_by<M>({{"As shipped,", [](const Errors& one) { return one.spread(0); }},
+                       {"As advised,", [](const Errors& one) { return one.spread(1); }},
+                       best_of(field)},
+                      page, field, all, unit, what);
+}
+
+template <class M>
+std::string judged_at_best(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
+                           const std::string& what) {
+  return judged_by<M>({best_of(field)}, page, field, all, unit, what);
+}
+
 #define BYHAND_INSTANTIATE(M)                                                                                   \
   template Field<M> field_of(const Scene<M>&, Kind, From, double, Party);                                       \
   template std::string why_not(const Engine&, const Scene<M>&, From);                                           \
   template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, Unit); \
   template void tell_three(Page&, const Field<M>&, const std::vector<Errors>&, Unit);                           \
   template std::string judged(Page&, const Field<M>&, const std::vector<Errors>&, Unit, const std::string&);    \
+  template std::string judged_at_best(Page&, const Field<M>&, const std::vector<Errors>&, Unit,                 \
+                                      const std::string&);                                                      \
+  template double passes_a_frame(const Scene<M>&, double, int);                                                 \
   template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Timed<M>&, const std::string&, \
                               Unit);                                                                            \
   template Scene<M> nudged(Scene<M>, int);                                                                      \

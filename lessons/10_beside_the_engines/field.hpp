@@ -202,7 +202,7 @@ struct Timed {
   Scene<M> scene;
   int frames;
   engines::Start<M> start = {};
-  std::string when = {};  // with which the chart's title begins: "undisturbed, "
+  std::string when = {};  // with which the chart's title begins: "from one start, "
 };
 
 /// From the engine's own rest, with a kick of the top by `speed` [m/s].
@@ -233,6 +233,16 @@ inline bool alone() { return engines::all_engines().empty(); }
 template <class M>
 std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
                    const std::string& what = "error");
+
+/// The last of these verdicts, on the best settings.
+template <class M>
+std::string judged_at_best(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
+                           const std::string& what = "error");
+
+/// Passes over the rows that this course takes a frame as shipped, on the mean of so many frames from its rest on,
+/// after a kick where `speed` [m/s] is above 0.
+template <class M>
+double passes_a_frame(const Scene<M>& scene, double speed, int frames);
 
 /// The largest distance that a body has moved from one to the other [m], in its position.
 template <class M>

@@ -136,8 +136,8 @@ void the_engines(const Setting& setting, Page& page) {
       damping, friction of joints and, where an engine lets it, limits of speed. *As its manual advises*: the knob that a source of its makers names is
       turned the way it says, to its number or, where it gives none, to one of our choice: twice the iterations, substeps
       or, of ODE's chain, steps, ten times MuJoCo's impratio, which its manual advises against slip, four times this course's
-      substeps and a tenth of its tolerance. For PhysX's articulations it is an example that its makers give. Both stand in `lessons/engines/settings/` (for this
-      course the source is its lessons 8 and 9).)");
+      substeps and 128 of its sweeps. For PhysX's articulations it is an example that its makers give. Both stand in `lessons/engines/settings/` (for this
+      course the sources are lesson 8 and its solver's reference).)");
   if (!alone())
     page.text(
         R"(*Best of the settings tried*: besides these two each engine, this course too, is tried with @ steps a frame, with contacts @. An

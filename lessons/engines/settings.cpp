@@ -23,11 +23,10 @@ std::string Knobs::words() const {
   for (const auto& [name, value] : turned_) {
     char number[32];
     std::snprintf(number, sizeof number, "%.4g", value);
-    const bool counts = name.ends_with("iterations") || name.ends_with("steps") || name == "sweeps",
-               is_small = value == 1e-6;
+    const bool counts = name.ends_with("iterations") || name.ends_with("steps") || name == "sweeps";
     const std::string told = is_switch(name) ? name
                              : counts ? number + (" " + (value == 1 ? name.substr(0, name.size() - 1) : name))
-                                      : name + " " + (is_small ? "10⁻⁶" : number);
+                                      : name + " " + number;
     if (!is_switch(name) || value != 0) words += (words.empty() ? "" : ", ") + told;
   }
   return words.empty() ? "as shipped" : words;

@@ -39,9 +39,7 @@ VelocityStepping by_velocities(const Knobs& knobs) {
   VelocityStepping method;
   knobs.turn("substeps", method.substeps);
   knobs.turn("beta", std::get<Baumgarte>(method.drift).beta);
-  auto& loops = std::get<ByGraph>(method.solver).loops;
-  knobs.turn("sweeps", loops.sweeps);
-  knobs.turn("tolerance", loops.tolerance);
+  knobs.turn("sweeps", std::get<ByGraph>(method.solver).loops.sweeps);
   return method;
 }
 

@@ -1,7 +1,7 @@
 #include "lessons/engines/settings.hpp"
 
 // This course's solver by velocities: ByGraph and Baumgarte. Knobs: substeps; beta, per substep; sweeps, the most
-// in a step where the graph has loops (50); tolerance of those sweeps [m/s] (1e-5). RK4 and RATTLE, switches:
+// in a step where the graph has loops (50). RK4 and RATTLE, switches:
 // lesson 9's methods for joints in place of it.
 namespace byhand::engines {
 
@@ -12,8 +12,8 @@ Settings this_course_settings() {
                            .source = "lesson 8, law 7: T h²/ml well below a third where pinned rods are taut"}},
                .contacts = {{},
                             {.row = Row::advised,
-                             .knobs = {{"tolerance", 1e-6}},
-                             .source = "lesson 9: what a tolerance leaves rocks on"}}};
+                             .knobs = {{"sweeps", 128}},
+                             .source = "ConjugateSweeps: hundreds of boxes in space take more than 50"}}};
   for (const int substeps : joint_steps) {
     for (const double beta : {0.2, 0.8})
       all.joints.push_back({.row = Row::tuned, .knobs = {{"substeps", substeps}, {"beta", beta}}});
@@ -21,8 +21,7 @@ Settings this_course_settings() {
       all.joints.push_back({.row = Row::tuned, .knobs = {{method, 1}, {"substeps", substeps}}});
   }
   for (const auto& [substeps, sweeps] : shares_of_contacts())
-    all.contacts.push_back(
-        {.row = Row::tuned, .knobs = {{"sweeps", sweeps}, {"tolerance", 1e-6}, {"substeps", substeps}}});
+    all.contacts.push_back({.row = Row::tuned, .knobs = {{"sweeps", sweeps}, {"substeps", substeps}}});
   return all;
 }
 
