@@ -34,7 +34,9 @@ class Examination {
         trials_(notes_),
         pilot_{scene, {ByGraph{}, Baumgarte{.beta = pilot_beta, .slop = 0.001}}},
         parts_(parts) {
-    if (notes_.is_large()) std::get<ByGraph>(pilot_.method.solver).stalled.tolerance = 1e-6;
+    auto& solver = std::get<ByGraph>(pilot_.method.solver);
+    solver.loops.tolerance = 1e-5;  // of the draws to which the verdicts are fitted
+    if (notes_.is_large()) solver.stalled.tolerance = 1e-6;
     give_way(give);
   }
 

@@ -270,7 +270,7 @@ void members(Io& io, Jacobi& solver) {
 template <class Io>
 void members(Io& io, ConjugateSweeps& solver) {
   io.whole(counted("sweeps", "over all rows at most", 50), solver.sweeps);
-  io.number(tolerance(1e-5), solver.tolerance);
+  io.number(tolerance(1e-6), solver.tolerance);
 }
 template <class Io>
 void members(Io& io, Direct& solver) {

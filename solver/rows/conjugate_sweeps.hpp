@@ -10,8 +10,8 @@ namespace byhand {
 /// sweep, so that λ keeps its bounds. The slow modes of a large system take the square root of the sweeps that
 /// Gauss–Seidel takes.
 ///
-/// A tight tolerance saves sweeps: a wall of boxes that is left rocking by 1e-5 m/s keeps rocking, and takes more
-/// sweeps a step than one at rest.
+/// What a tolerance leaves rocks on: a pyramid of 210 boxes in the plane at 0.6 mm/s with 1e-5, at 0.05 mm/s with
+/// 1e-6. In space 50 sweeps end before that, and it rocks at 3 mm/s; with 128 of them at 0.5 mm/s.
 ///
 /// After M. Silcowitz-Hansen, S. Niebe, K. Erleben, "A nonsmooth nonlinear conjugate gradient method for
 /// interactive contact force problems", The Visual Computer 26, 2010.
@@ -19,7 +19,7 @@ struct ConjugateSweeps {
   int sweeps = 50;                          // >= 1
   bool warm_start = true;                   // begin with the λ of the last step
   SweepOrder order = SweepOrder::coloured;  // the same in every sweep, or there is no gradient
-  double tolerance = 1e-5;                  // as of GaussSeidel; 0: stop when nothing is left
+  double tolerance = 1e-6;                  // as of GaussSeidel; 0: stop when nothing is left
 
   template <class M>
   using Work = Prepared<M>;
