@@ -48,8 +48,9 @@ double fastest(const System<M>& system, const Bodies<M>& bodies, const std::vect
 }  // namespace
 
 template <class M>
-bool limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& bodies, DirectWork<M>& work) {
-  if (!find_suspects(system, work)) return false;
+std::optional<bool> limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& bodies,
+                                     DirectWork<M>& work) {
+  if (!find_suspects(system, work)) return std::nullopt;
   std::vector<double>&correction = work.offset, &change = work.change, &rest = work.lambda_before;
   correction.assign(system.rows(), 0.0);
   for_each_suspect(work, [&](int row) { correction[row] = 1; });
@@ -75,7 +76,7 @@ bool limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& 
 }
 
 #define BYHAND_INSTANTIATE(M) \
-  template bool limit_correction(const Direct&, System<M>&, const Bodies<M>&, DirectWork<M>&)
+  template std::optional<bool> limit_correction(const Direct&, System<M>&, const Bodies<M>&, DirectWork<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

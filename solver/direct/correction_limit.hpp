@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "solver/direct/equations.hpp"
 
 // Rows that cannot all be met: a rod between anchors that are too far apart, a triangle of rods that has none.
@@ -14,12 +16,13 @@ constexpr double damping = 0.04;
 /// some body more than 2.5 times as fast as all rows together ask one by one. Damped, it has at most 6.25 times
 /// the energy that the rows would need one by one, whatever the units. Connected parts count and change only where
 /// their rows are nearly dependent. `system.lambda` is the last `solve_equations`' and not yet applied; returns
-/// whether it was changed. What else the rows do stays exact.
+/// whether it was changed, nothing where no part was suspected. What else the rows do stays exact.
 ///
 /// Source: Y. Nakamura, H. Hanafusa, Inverse Kinematic Solutions With Singularity Robustness, J. Dyn. Sys., Meas.,
 /// Control 108 (1986).
 template <class M>
-bool limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& bodies, DirectWork<M>& work);
+std::optional<bool> limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& bodies,
+                                     DirectWork<M>& work);
 
 /// How fast a change of velocity makes a body [m/s], with turning at its radius of gyration.
 template <class M>

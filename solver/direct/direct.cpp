@@ -127,18 +127,19 @@ Solution Direct::solve(System<M>& system, Bodies<M>& bodies, DirectWork<M>& work
   if (system.rows() == 0) return {};
   work.offset.resize(system.rows());
   work.change.resize(system.rows());
+  std::optional<bool> damped;  // nothing where dependence was not even suspected
   const auto solved = [&]() -> Solution {
     if (system.bounded) return solve_with_bounds(*this, system, bodies, work, begin);
     work.active.clear();
     if (begin == Begin::resume) return solve_resumed(*this, system, bodies, work);
     solve_equations(*this, system, system.bias, bodies, work, system.lambda);
-    const bool limited =
-        factorisation == Factorisation::structured && limit_correction(*this, system, bodies, work);
+    if (factorisation == Factorisation::structured) damped = limit_correction(*this, system, bodies, work);
     apply_all(system, system.lambda, bodies.velocity);
-    return {0, limited ? 2 : 1, std::numeric_limits<double>::quiet_NaN(), !limited};
+    return {0, damped == true ? 2 : 1, std::numeric_limits<double>::quiet_NaN(), damped != true};
   };
   Solution solution = solved();
   solution.row_solves = solution.rounds * direct_row_solves(*this, work.plan, system.rows(), M::dof);
+  if (damped == false) solution.row_solves += row_solves_again(work.plan, M::dof);
   return solution;
 }
 

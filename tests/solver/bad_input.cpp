@@ -2,6 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lessons/methods/accelerations.hpp"
+#include "lessons/methods/avbd.hpp"
+#include "lessons/methods/controlled.hpp"
+#include "lessons/methods/generalised.hpp"
+#include "lessons/methods/rattle.hpp"
+#include "lessons/methods/xpbd.hpp"
 #include "lessons/scenes/branches.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/contact.hpp"
@@ -322,13 +328,51 @@ TEST_IN_ALL_MODELS(Step, MustHaveATimeAndChoicesWithinTheirRange) {
 }
 
 // The reference pages state them.
-TEST(Defaults, AreThoseOfTheReference) {
+TEST(Defaults, OfRowSolversAreThoseOfTheReference) {
   EXPECT_EQ(GaussSeidel{}.sweeps, 10);
+  EXPECT_EQ(GaussSeidel{}.relaxation, 1);
+  EXPECT_EQ(GaussSeidel{}.tolerance, 0);
   EXPECT_EQ(Jacobi{}.sweeps, 10);
+  EXPECT_EQ(Jacobi{}.relaxation, 1);
   EXPECT_EQ(ConjugateSweeps{}.sweeps, 50);
+  EXPECT_EQ(ConjugateSweeps{}.tolerance, 1e-6);
+  EXPECT_EQ(ConjugateGradients{}.iterations, 50);
+  EXPECT_EQ(ConjugateGradients{}.tolerance, 1e-9);
+  EXPECT_EQ(AcceleratedGradient{}.iterations, 50);
+  EXPECT_EQ(AcceleratedGradient{}.tolerance, 1e-6);
+  EXPECT_EQ(Direct{}.regularisation, 0);
   EXPECT_EQ(Direct{}.rounds, 20);
+  EXPECT_EQ(Direct{}.tolerance, 1e-10);
+  EXPECT_EQ(SemismoothNewton{}.rounds, 20);
+  EXPECT_EQ(SemismoothNewton{}.sweeps, 10);
+  EXPECT_EQ(SemismoothNewton{}.tolerance, 1e-12);
+  EXPECT_EQ(ByGraph{}.unlike, 50);
+}
+TEST(Defaults, OfMethodsAndCuresAreThoseOfTheReference) {
   EXPECT_EQ(AnyStepping{}.substeps, 1);
   EXPECT_EQ(AnyStepping{}.bounce_threshold, 0.5);
+  EXPECT_EQ(Baumgarte{}.beta, 0.2);
+  EXPECT_EQ(Baumgarte{}.slop, 0);
+  EXPECT_EQ(SplitImpulse{}.beta, 0.2);
+  EXPECT_EQ(SplitImpulse{}.slop, 0);
+  EXPECT_EQ(Projection{}.sweeps, 4);
+  EXPECT_EQ(Projection{}.slop, 0);
+  EXPECT_EQ(Xpbd{}.substeps, 20);
+  EXPECT_EQ(Xpbd{}.iterations, 1);
+  EXPECT_EQ(Xpbd{}.push_speed, 1);
+  EXPECT_EQ(Xpbd{}.bounce_threshold, 0.5);
+  EXPECT_EQ(Avbd{}.iterations, 10);
+  EXPECT_EQ(Avbd{}.alpha, 0.95);
+  EXPECT_EQ(Avbd{}.beta, 100);
+  EXPECT_EQ(Avbd{}.memory, 0.99);
+  EXPECT_EQ(Avbd{}.softest, 1);
+  EXPECT_EQ(Avbd{}.stiffest, 3e5);
+  EXPECT_EQ(Avbd{}.bounce_threshold, 0.5);
+  EXPECT_EQ(Rattle{}.substeps, 1);
+  EXPECT_EQ(Accelerations{}.substeps, 1);
+  EXPECT_EQ(Generalised{}.substeps, 1);
+  EXPECT_EQ(Controlled<Rattle>{}.tolerance, 1e-4);
+  EXPECT_EQ(Controlled<Rattle>{}.most_substeps, 100'000);
 }
 
 // On the allowed side of the limit.

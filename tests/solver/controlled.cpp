@@ -317,6 +317,14 @@ TEST(Controlled, KeepsItsSubstepBetweenFrames) {
   keeps(Controlled<Generalised>(), 1e-9);
 }
 
+// However small its error.
+TEST(Controlled, ASubstepGrowsAtMostFivefold) {
+  Simulation simulation{twofold().scene, Controlled<Rattle>{1}};
+  simulation.work.next = 1e-9;
+  simulation.step(1e-9);
+  EXPECT_NEAR(simulation.work.next, 5e-9, 1e-15);
+}
+
 // What a start is off by is no error of a step, and no step is short enough to take it away.
 TEST(Controlled, ClosesAGapAtTheStart) {
   auto scene = pendulum<PlaneParticle>(1, 2, 3);

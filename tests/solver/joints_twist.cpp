@@ -68,6 +68,16 @@ TEST(TwistLimit, JacobianIsTheGradientOfC) {
   EXPECT_EQ(with_negative_w, 200);
 }
 
+// There is no twist to speak of, whichever way the body has gone over: φ and its row are zero, not NaN.
+TEST(TwistLimit, HasNoRowAtHalfATurnAboutAnAxisAcross) {
+  const Pose<M> torso;
+  Pose<M> arm;
+  arm.rotation = Rotation<M>(0, 1, 0, 0);
+  const Turn<M> twist = twist_about(Linear<M>::Unit(2));
+  EXPECT_EQ(twist.value<double>(torso, arm), 0);
+  EXPECT_TRUE(twist.jacobian(torso, arm).matrix.isZero(0));
+}
+
 // 1 mrad before its stop an arm at rest feels nothing; 1 mrad beyond it is pushed back, whichever sign its
 // orientation has.
 TEST(TwistLimit, PushesOnlyBeyondItsStopAndOnlyBack) {
