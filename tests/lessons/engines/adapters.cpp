@@ -329,8 +329,7 @@ TEST(Knobs, KeepWhatIsNotTurned) {
   EXPECT_EQ(erp, 0.8);
   EXPECT_EQ(cfm, 1e-5);
   EXPECT_EQ(knobs.words(), "40 iterations, ERP 0.8");
-  EXPECT_EQ(Knobs({{"RK4", 1}, {"NNCG", 0}, {"substeps", 1}, {"CFM", 0.1}}).words(),
-            "RK4, 1 substep, CFM 0.1");
+  EXPECT_EQ(Knobs({{"RK4", 1}, {"NNCG", 0}, {"substeps", 1}, {"CFM", 0.1}}).words(), "RK4, 1 substep, CFM 0.1");
   EXPECT_EQ(Knobs().words(), "as shipped");
 }
 
