@@ -34,7 +34,7 @@ Slid slide(const Contestant<M>& contestant, double slope, double friction) {
 
 /// The same with other seeds, of an engine that takes its rows in random order; else none.
 std::vector<Contestant<M>> by_other_seeds(const Entrant<M>& entrant, std::size_t row) {
-  const Engine* engine = engine_named(entrant.name);
+  const auto engine = engine_named(entrant.name);
   std::vector<Contestant<M>> found;
   if (!engine || !engine->random_rows) return found;
   for (int seed = 2; seed <= seeds; ++seed) {
@@ -50,7 +50,7 @@ std::vector<Contestant<M>> by_other_seeds(const Entrant<M>& entrant, std::size_t
 /// MuJoCo's friction is a force that grows with the speed of slip until it is μ times the normal force: it slips
 /// on any slope, for ever.
 void slips_for_ever(Page& page, double slope, double friction) {
-  const Engine* engine = engine_named("MuJoCo");
+  const auto engine = engine_named("MuJoCo");
   if (!engine) return;
   std::vector<std::vector<std::string>> rows;
   const auto speed = [&](double ratio, int steps) {

@@ -173,7 +173,7 @@ Scene<PlaneBody> tree(int levels) {
 /// An engine of soft joints: with the substeps alone, and with the joints' hertz as high as they let it be.
 template <class M>
 void stiffer_by_hertz(Page& page, const std::string& name, const Scene<M>& scene) {
-  const Engine* engine = engine_named(name);
+  const auto engine = engine_named(name);
   if (!engine) return;
   const auto gap = [&](int substeps, double hertz) {
     const engines::Setting setting{.knobs = {{"substeps", substeps}, {"joint hertz", hertz}}};
@@ -355,11 +355,10 @@ namespace {
 /// here.
 template <class M>
 void with_friction(Page& page, const std::vector<Outcomes<Hung>>& outcomes, const Scene<M>& scene, int frames) {
-  const auto is_it = [](const auto& one) { return one.name == "PhysX articulation"; };
-  const auto shipped = std::find_if(outcomes.begin(), outcomes.end(), is_it);
+  const std::string name = "PhysX articulation";
+  const auto shipped = std::ranges::find(outcomes, name, &Outcomes<Hung>::name);
   if (shipped == outcomes.end() || std::isfinite(shipped->by_setting[0].gap)) return;
-  const std::vector<Engine> all = members(Party::webassembly);
-  const Engine& engine = *std::find_if(all.begin(), all.end(), is_it);
+  const Engine engine = *engine_named(name, Party::webassembly);
   double worst = 0, change = 0;
   for (const std::size_t row : {0, 1}) {
     engines::Setting setting = engine.settings.joints[row];

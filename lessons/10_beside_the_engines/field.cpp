@@ -27,10 +27,10 @@ std::vector<Engine> members(Party party) {
   return all;
 }
 
-const Engine* engine_named(const std::string& name) {
-  const auto& all = engines::all_engines();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Engine& e) { return e.name == name; });
-  return found == all.end() ? nullptr : &*found;
+std::optional<Engine> engine_named(const std::string& name, Party party) {
+  const std::vector<Engine> all = members(party);
+  const auto found = std::ranges::find(all, name, &Engine::name);
+  return found == all.end() ? std::nullopt : std::optional(*found);
 }
 
 std::string with_build(const Engine& engine) {

@@ -60,8 +60,8 @@ Field<M> field_of(const Scene<M>& scene, Kind kind, From from = From::home, doub
 /// All who may take part somewhere, this course first.
 std::vector<Engine> members(Party party);
 
-/// An engine of this program by its name; null if it has none of that name.
-const Engine* engine_named(const std::string& name);
+/// One of them by its name, if there is one.
+std::optional<Engine> engine_named(const std::string& name, Party party = Party::native);
 
 /// How it solves, and how it was built where that matters.
 std::string with_build(const Engine& engine);

@@ -128,13 +128,14 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
                     {.when = Quantity("fallen", static_cast<double>(down)) >= 1,
                      .say = say("In this course @ of @ fall.", down, ours.size())}});
   const std::string fate_of_theirs =
-      theirs == 0 ? std::string()
-                  : " " + page.verdict({{.when = Quantity("fallen", fallen) >= 1,
-                                         .say = say("Of the @ runs of the engines @ fall within @ s.", theirs,
-                                                    fallen, stack_frames * frame)},
-                                        {.when = Quantity("fallen", fallen) < 1,
-                                         .say = say("Of the @ runs of the engines none falls within @ s.", theirs,
-                                                    stack_frames * frame)}});
+      theirs == 0
+          ? std::string()
+          : " " + page.verdict({{.when = Quantity("fallen", fallen) >= 1,
+                                 .say = say("Of the engines' @ stacks in this table @ fall within @ s.", theirs,
+                                            fallen, stack_frames * frame)},
+                                {.when = Quantity("fallen", fallen) < 1,
+                                 .say = say("Of the engines' @ stacks in this table none falls within @ s.",
+                                            theirs, stack_frames * frame)}});
   const std::string hanging = undecided == 0 ? std::string()
                                              : say(" @ of all these hang@ on the last digits of the start.",
                                                    undecided, undecided == 1 ? "s" : "");

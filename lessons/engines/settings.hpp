@@ -71,6 +71,9 @@ struct Settings {
   std::vector<Setting> joints, contacts;
 };
 
+/// Of Box2D 3 and of Box3D, which has its solver. `source` is where more substeps are advised.
+Settings soft_step_settings(const std::string& source);
+
 // Each is defined in settings/, under its name.
 Settings this_course_settings();
 Settings box2d_2_settings();

@@ -8,9 +8,11 @@
 namespace byhand::engines {
 
 Settings box2d_3_settings() {
-  const Setting advised{.row = Row::advised,
-                        .knobs = {{"substeps", 8}},
-                        .source = "box2d.h, b2World_Step: more substeps can increase accuracy, usually 4"};
+  return soft_step_settings("box2d.h, b2World_Step: more substeps can increase accuracy, usually 4");
+}
+
+Settings soft_step_settings(const std::string& source) {
+  const Setting advised{.row = Row::advised, .knobs = {{"substeps", 8}}, .source = source};
   Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
   constexpr double quarter = 15, eighth = 7.5;  // of the rate of substeps [Hz]
   for (const int substeps : substeps_of_joints)

@@ -1,29 +1,10 @@
 #include "lessons/engines/settings.hpp"
 
-// Box3D. Knobs: substeps (4); joint hertz (60) and joint damping (2), constraintHertz and constraintDampingRatio
-// of b3JointDef; contact hertz (30) and contact damping (10) of b3WorldDef. Joints are no stiffer than a quarter
-// of the rate of substeps and contacts than an eighth, which is where both stand at four substeps of 1/60 s:
-// without their hertz, more substeps buy nothing. A substep is one sweep, so that as many are tried as other
-// engines are given iterations.
+// Box3D. Its knobs are Box2D 3's, of b3JointDef and b3WorldDef, and stand where those do.
 namespace byhand::engines {
 
 Settings box3d_settings() {
-  const Setting advised{.row = Row::advised,
-                        .knobs = {{"substeps", 8}},
-                        .source = "box3d.h, b3World_Step: more substeps can increase accuracy, usually 4"};
-  Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
-  constexpr double quarter = 15, eighth = 7.5;  // of the rate of substeps [Hz]
-  for (const int substeps : substeps_of_joints)
-    for (const double damping : {2.0, 0.5})
-      all.joints.push_back(
-          {.row = Row::tuned,
-           .knobs = {{"substeps", substeps}, {"joint hertz", quarter * substeps}, {"joint damping", damping}}});
-  for (const int substeps : substeps_of_contacts)
-    for (const double damping : {10.0, 2.0})
-      all.contacts.push_back(
-          {.row = Row::tuned,
-           .knobs = {{"substeps", substeps}, {"contact hertz", eighth * substeps}, {"contact damping", damping}}});
-  return all;
+  return soft_step_settings("box3d.h, b3World_Step: more substeps can increase accuracy, usually 4");
 }
 
 }  // namespace byhand::engines
