@@ -136,9 +136,9 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
                                 {.when = Quantity("fallen", fallen) < 1,
                                  .say = say("Of the engines' @ stacks in this table none falls within @ s.",
                                             theirs, stack_frames * frame)}});
-  const std::string hanging = undecided == 0 ? std::string()
-                                             : say(" @ of all these hang@ on the last digits of the start.",
-                                                   undecided, undecided == 1 ? "s" : "");
+  const std::string hanging = undecided == 0 ? ""
+                                             : say(" In @ of the table the last digits of the start decide.",
+                                                   several(undecided, "cell", "cells"));
   double most = 0;
   for (const Standing& one : ours) most = std::max({most, one.lean, std::abs(one.sag)});
   if (alone() && down == 0) {
@@ -167,20 +167,17 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
     page.table(head_of_three_rows, three_rows<M>(field, leans, Unit::metres));
     page.text("@", judged(page, field, leans, Unit::metres, "lean"));
     constexpr int soon = 120;  // frames
-    const Quantity passes_soon("passes a frame, soon", passes_a_frame(tries.back().scene, stack_kick, soon)),
-        passes_on_the_mean("1.1 × on the mean",
-                           engines::equal_times * passes_a_frame(tries.back().scene, stack_kick, stack_frames));
-    page.text("@", page.verdict(
-                       {{.when = passes_soon > passes_on_the_mean,
-                         .say = say("The chart has the mean of @ s. As shipped this course goes over its contacts "
-                                    "@ times as often in the first @ s after the kick.",
-                                    stack_frames * frame,
-                                    Value(engines::equal_times * passes_soon.value / passes_on_the_mean.value, 2),
-                                    soon * frame)},
-                        {.when = passes_soon <= passes_on_the_mean,
-                         .say = say("The chart has the mean of @ s. As shipped this course goes over its contacts "
-                                    "no more often soon after the kick.",
-                                    stack_frames * frame)}}));
+    const double mean = passes_a_frame(tries.back().scene, stack_kick, stack_frames);
+    const Quantity at_first("passes a frame at first", passes_a_frame(tries.back().scene, stack_kick, soon)),
+        later("1.1 × the mean", engines::equal_times * mean);
+    page.text("The chart has the mean of @ s. @", stack_frames * frame,
+              page.verdict({{.when = at_first > later,
+                             .say = say("In the first @ s after the kick this course, as shipped, goes over its "
+                                        "contacts @ times as often.",
+                                        soon * frame, Value(at_first.value / mean, 2))},
+                            {.when = at_first <= later,
+                             .say = "This course, as shipped, goes over its contacts no more often soon after the "
+                                    "kick."}}));
   }
   compare_by_time(page, figure,
                   "The kicked stack of 30: how far its top leans within 10 s, and the mean time of their frames.",

@@ -151,24 +151,21 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
     page.table(head_of_three_rows, three_rows<M>(field, moved, Unit::metres));
     page.text("@", judged(page, field, moved, Unit::metres));
     if (most < most_of_contacts && moved.size() > 1) tell_beyond_the_limit(page, field, scene, moved);
-    const double still_passes = passes_a_frame(scene, 0, wall_frames),
-                 kicked_passes = passes_a_frame(scene, wall_kick, wall_frames);
+    const double passes = passes_a_frame(scene, 0, wall_frames);
+    const Quantity kicked("passes after the kick", passes_a_frame(scene, wall_kick, wall_frames)),
+        undisturbed("1.1 × undisturbed", engines::equal_times * passes);
     page.text(
-        "@",
+        "The chart has the undisturbed pyramid. @",
         page.verdict(
-            {{.when = Quantity("passes after the kick", kicked_passes) >
-                      Quantity("1.1 × undisturbed", engines::equal_times * still_passes),
+            {{.when = kicked > undisturbed,
               .say =
-                  say(R"(The chart has the undisturbed pyramid. There this course, whose sweeps end at a tolerance,
-                            goes over its contacts @ times a frame as shipped, on the mean of @ s, and after the kick @
-                            times.)",
-                      Value(still_passes, 2), wall_frames * frame, Value(kicked_passes, 2))},
-             {.when = Quantity("passes after the kick", kicked_passes) <=
-                      Quantity("1.1 × undisturbed", engines::equal_times * still_passes),
-              .say = say(
-                  "The chart has the undisturbed pyramid. As shipped this course goes over its contacts @ times "
-                  "a frame, after the kick no more often.",
-                  Value(still_passes, 2))}}));
+                  say(R"(This course's sweeps end at a tolerance. Its passes over the contacts a frame, as shipped
+                           and on the mean of @ s: @ there, and @ after the kick.)",
+                      wall_frames * frame, Value(passes, 2), Value(kicked.value, 2))},
+             {.when = kicked <= undisturbed,
+              .say = say("This course's passes over the contacts a frame, as shipped: @ there, and no more after "
+                         "the kick.",
+                         Value(passes, 2))}}));
   }
   compare_by_time(page, figure,
                   "The pyramid: the largest sideways displacement of any box within 5 s from rest, and the mean "
