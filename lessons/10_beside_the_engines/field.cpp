@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "lessons/scenes/boxes.hpp"
+
 namespace byhand::beside {
 
 namespace {
