@@ -121,10 +121,17 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
           ? ": of such starts more than 95 % do, with 95 % confidence"
           : course::say(", where @ would have to before 95 % of such starts are certain", certain),
       choice.spent.runs);
+  const std::string& stress = request.problem.scene().stress;
+  const char* stress_in_words = stress == "speed" ? "the first speed" : "gravity";
   if (std::isfinite(choice.margin))
-    page.text("Of larger values of @, tried @, the first at which it fails is @ times as large.",
-              request.problem.scene().stress == "speed" ? "the first speed" : "gravity", strides_of_margin,
-              Value(choice.margin, 3));
+    page.text("Of larger values of @, tried @, the first at which it fails is @ times as large.", stress_in_words,
+              strides_of_margin, Value(choice.margin, 3));
+  else if (std::isinf(choice.margin))
+    page.text("It still holds at the largest value of @ that was tried, up to a thousand times the present one.",
+              stress_in_words);
+  else if (request.problem[stress] > 0)
+    page.text("How much larger @ may be was not found within a tenth of the work that the choice may take.",
+              stress_in_words);
   page.clocked("chosen", "Time for 1/60 s on this machine.", [=] {
     renderer::Chart chart{.y = {.label = "time (µs)"}};
     renderer::Bars bars;
