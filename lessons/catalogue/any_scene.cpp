@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <variant>
 
 #include "lessons/catalogue/separation.hpp"
 #include "solver/constraints/contact_manifold.hpp"
-#include "solver/constraints/hinge.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/direct/equations.hpp"
@@ -294,6 +294,9 @@ std::string AnyScene::row_kind() const {
              std::holds_alternative<std::monostate>(shape);
     };
     const bool joined = scene.count() > 0, bounded = scene.bounded();
+    std::set<int> rows;  // of a constraint: where they differ, a direct solve takes its general loops
+    for_each_constraint(scene, ContactManager<M>(),
+                        [&](const ConstraintStore<M>& store, const auto&) { rows.insert(store.rows); });
     std::string kind;
     if (!shapes.empty())
       kind = joined ? "joined shapes" : std::ranges::all_of(shapes, round) ? "balls that touch" : "boxes";
@@ -301,10 +304,14 @@ std::string AnyScene::row_kind() const {
       kind = M::angular == 0 ? "free bobs" : "free bodies";
     else if (M::angular == 0)
       kind = bounded ? "ropes" : "bobs";
+    else if (bounded)
+      kind = "machines";
+    else if (rows.size() > 1)
+      kind = "mixed joints";
+    else if (rows.contains(5))
+      kind = "hinges";
     else
-      kind = bounded ? "machines" : scene.template all<Pin>().empty() ? "balls" : "links";
-    if constexpr (M::angular == 3)
-      if (kind == "balls" && !scene.template all<Hinge<M>>().empty()) kind = "hinges";
+      kind = scene.template all<Pin>().empty() ? "balls" : "links";
     return kind + (M::linear == 2 ? "" : " in space");
   });
 }

@@ -11,18 +11,20 @@ std::string SceneFile::name_of(int body) const {
 
 const std::map<std::string, AccuracyName>& accuracy_names() {
   static const std::map<std::string, AccuracyName> all{
-      {"drift", {"m", "largest gap of a joint, or overlap, over the run"}},
+      {"drift", {"m", "largest gap of a joint, or overlap, after any frame of the run"}},
       {"trajectory",
        {"m",
         "largest distance of a body's centre from the true motion, at the end as far as that is known, else after "
         "1 s"}},
       {"energy",
        {"1",
-        "largest change of energy over the run, beside the true motion's, as a share of the weight of all bodies "
+        "largest change of energy after any frame of the run, beside the true motion's, as a share of the weight "
+        "of all bodies "
         "times their distances from the first fixed body (from the origin if none is fixed), or without weight of "
         "the first kinetic energy"}},
       {"momentum",
-       {"1", "largest change of the angular momentum about the vertical over the run, as a share of it"}},
+       {"1",
+        "largest change of the angular momentum about the vertical after any frame of the run, as a share of it"}},
       {"reaction",
        {"1",
         "error of the force that holds the scene, when a trajectory is compared, as a share of it or of the "

@@ -81,6 +81,20 @@ std::string warnings_of(const Point& point, const Request& request) {
   return text;
 }
 
+/// How much larger what varies may be; "" where nothing does.
+std::string margin_in_words(const Choice& choice, const Request& request) {
+  if (request.problem.scene().varied.empty()) return "";
+  const char* stress = request.problem.scene().stress == "speed" ? "the first speed" : "gravity";
+  if (std::isinf(choice.margin))
+    return course::say(
+        "It still holds at the largest value of @ that was tried, up to a thousand times the present one.",
+        stress);
+  if (std::isnan(choice.margin))
+    return course::say("How much larger @ may be was not found within a tenth of the work of the choice.", stress);
+  return course::say("Of larger values of @, tried @, the first at which it fails is @ times as large.", stress,
+                     strides_of_margin, Value(choice.margin, 3));
+}
+
 void show_answers(Page& page, const Request& request, const Choice& choice) {
   const std::vector<Answer> answers = answers_of(choice);
   std::vector<std::vector<std::string>> rows;
@@ -108,30 +122,27 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
               Value(std::max(least_told, choice.best.point.uncertainty), 2));
     if (request.last_motion < 0.1 * limit->second)
       page.text(
-          "In the 1/60 s before, the true motion moves no body by more than @ m. So this trajectory says where "
-          "the "
-          "scene ends, not how it gets there.",
+          "In the last tenth of the time no body moves further than @ m from where it ends. So this trajectory "
+          "says "
+          "where the scene ends, not how it gets there.",
           Value(std::max(least_told, request.last_motion), 2));
   }
-  page.text(
-      "Run for @ s from @ starts (the file's own and others whose @ by up to a twentieth), the cheapest "
-      "kept what is asked in @@. @ runs were made.",
-      Value(choice.verified.seconds, 3), choice.verified.starts, varied_in_words(request), choice.verified.within,
-      choice.verified.certified()
-          ? ": of such starts more than 95 % do, with 95 % confidence"
-          : course::say(", where @ would have to before 95 % of such starts are certain", certain),
-      choice.spent.runs);
-  const std::string& stress = request.problem.scene().stress;
-  const char* stress_in_words = stress == "speed" ? "the first speed" : "gravity";
-  if (std::isfinite(choice.margin))
-    page.text("Of larger values of @, tried @, the first at which it fails is @ times as large.", stress_in_words,
-              strides_of_margin, Value(choice.margin, 3));
-  else if (std::isinf(choice.margin))
-    page.text("It still holds at the largest value of @ that was tried, up to a thousand times the present one.",
-              stress_in_words);
-  else if (request.problem[stress] > 0)
-    page.text("How much larger @ may be was not found within a tenth of the work that the choice may take.",
-              stress_in_words);
+  if (request.problem.scene().varied.empty())
+    page.text(
+        "Run for @ s from the file's own start, which has neither weight nor first speeds that could vary, the "
+        "cheapest kept what is asked. @ runs were made.",
+        Value(choice.verified.seconds, 3), choice.spent.runs);
+  else
+    page.text(
+        "Run for @ s from @ starts (the file's own and others whose @ by up to a twentieth), the cheapest "
+        "kept what is asked in @@. @ runs were made.",
+        Value(choice.verified.seconds, 3), choice.verified.starts, varied_in_words(request),
+        choice.verified.within,
+        choice.verified.certified()
+            ? ": of such starts more than 95 % do, with 95 % confidence"
+            : course::say(", where @ would have to before 95 % of such starts are certain", certain),
+        choice.spent.runs);
+  if (const std::string margin = margin_in_words(choice, request); !margin.empty()) page.text("@", margin);
   page.clocked("chosen", "Time for 1/60 s on this machine.", [=] {
     renderer::Chart chart{.y = {.label = "time (µs)"}};
     renderer::Bars bars;
@@ -195,8 +206,9 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
   page.text(
       "Besides, a run has to do its duty: no joint opens and nothing sinks in by more than a tenth of the "
       "smallest "
-      "body, @and where the energy of the true motion is known, its own differs from that by at most @ % of its "
-      "scale.",
+      "body, @and where the energy of the true motion is known, a run never has more than the most of that and @ "
+      "% of "
+      "its scale, and from the file's own start it ends within as much of it.",
       request.problem.scene().rests ? "nothing leaves its place by more than half of it, " : "",
       Value(100 * energy_astray, 2));
   const double open = request.problem.start().separation();

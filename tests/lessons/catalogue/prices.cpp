@@ -32,6 +32,9 @@
 #include "solver/constraints/hinge.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/rope.hpp"
+#include "solver/constraints/slider.hpp"
+#include "solver/constraints/spring.hpp"
+#include "solver/constraints/weld.hpp"
 
 namespace {
 
@@ -168,6 +171,25 @@ Problem hinged(int links) {
   return uncatalogued("hinges", scene);
 }
 
+/// A chain of pins, sliders and welds by turns; or without welds, held together by springs.
+template <class M>
+Problem mixed(int links, bool sprung) {
+  Scene<M> scene;
+  scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  for (int i = 1; i <= links; ++i) {
+    const Linear<M> along = Linear<M>::UnitX(), point = (0.3 * i - 0.15) * along;
+    scene.add_body(Linear<M>(0.3 * i * along), box<M>(1 + i % 2, Linear<M>::Constant(0.2)));
+    if (i % 3 == 0)
+      scene.add(pin<M>(scene.bodies(), i - 1, i, point));
+    else if (i % 3 == 1 || sprung)
+      scene.add(slider<M>(scene.bodies(), i - 1, i, point, sprung ? Linear<M>::UnitY() : along));
+    else
+      scene.add(weld<M>(scene.bodies(), i - 1, i, point));
+    if (sprung) scene.add(Spring<M>{{i - 1, i}, 0.3, {200, 1}});
+  }
+  return uncatalogued("mixed joints", scene);
+}
+
 /// The turn of a link of a chain in the plane x, y against the one before it.
 template <class M>
 Turn<M> turn_of(const Scene<M>& scene, int link) {
@@ -250,7 +272,7 @@ Problem drawn_problem(Draws& draws) {
   const double links = draws.one_of({1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0});
   const double kick = draws.one_of({0.0, 0.02, 0.02});
   const int few = draws.one_of({1, 2, 3, 5, 10, 20});
-  switch (draws.below(26)) {
+  switch (draws.below(28)) {
     case 0: return Problem("stack", {{"boxes", draws.one_of({2.0, 3.0, 5.0, 8.0, 12.0, 30.0})}, {"kick", kick}});
     case 1: return Problem("pyramid", {{"base", draws.one_of({2.0, 3.0, 4.0, 6.0, 9.0, 12.0})}, {"kick", kick}});
     case 2: return Problem(draws.one_of({"incline", "four_bar"}));
@@ -279,6 +301,8 @@ Problem drawn_problem(Draws& draws) {
     case 19: return fallen_chain<PlaneBody>(draws.one_of({2, 3, 5, 10}), draws.one_of({0.0, 0.1}), draws.below(2));
     case 20: return fallen_chain<SpaceBody>(draws.one_of({2, 3, 5}), draws.one_of({0.0, 0.1}), draws.below(2));
     case 21: return hinged(few);
+    case 22: return mixed<PlaneBody>(few, draws.below(2));
+    case 23: return mixed<SpaceBody>(few, draws.below(2));
     default: return Problem("chain", {{"links", links}}, model);
   }
 }
