@@ -16,16 +16,20 @@ Watch watch_of(const Problem& problem, const Wish& wish, double bound) {
   return watch;
 }
 
+/// From how many strengths and relaxations a search begins.
+enum class Begins { from_few, from_many };
+
 /// What one variant of a method (its cure, its passes) can do.
 class Variant {
  public:
   /// `most` instructions end its search.
   Variant(std::span<const Problem> starts, const Family& family, const Wish& wish, double bound, double most,
-          std::vector<Known>& known)
+          Begins begins, std::vector<Known>& known)
       : problem_(starts[0]),
         wish_(wish),
         runs_(problem_, family, watch_of(problem_, wish, bound), known.data()),
-        most_(most) {
+        most_(most),
+        begins_(begins) {
     for (std::size_t i = starts.size(); --i > 0;)
       others_.emplace_back(starts[i], family, watch_of(starts[i], wish, INFINITY), &known[i]);
   }
@@ -137,10 +141,8 @@ class Variant {
     if (const auto known = tuned_.find(key); known != tuned_.end()) return runs_.at(known->second);
     Knobs at = within_laws(problem_, runs_.family(), knobs);
     const Point* best = &run(at);
-    for (const double relaxation : first_relaxations()) {
+    for (const Knobs& other : first_choices(at)) {
       if (reaches(*best) || best->outcome == Outcome::refused || ends()) break;
-      Knobs other = at;
-      other.relaxation = relaxation;
       const Point& point = run(within_laws(problem_, runs_.family(), other));
       if (rank(point) < rank(*best)) best = &point;
     }
@@ -161,9 +163,21 @@ class Variant {
   }
 
   /// From which a search begins besides: what coarser steps have found is far from what finer ones need.
-  std::vector<double> first_relaxations() const {
-    if (runs_.family().most_relaxation > 1) return {1, 1.7};
-    return runs_.family().least_relaxation < 1 ? std::vector{0.5} : std::vector<double>{};
+  std::vector<Knobs> first_choices(const Knobs& from) const {
+    const bool few = begins_ == Begins::from_few;
+    std::vector<double> relaxations, strengths{from.strength};
+    if (runs_.family().most_relaxation > 1)
+      relaxations = few ? std::vector{1.0, 1.7} : std::vector{1.0, 1.5, 1.7, 1.9};
+    else if (runs_.family().least_relaxation < 1)
+      relaxations = few ? std::vector{0.5} : std::vector{0.35, 0.5, 0.7, 1.0};
+    if (!few && from.strength > 0) strengths.insert(strengths.end(), {0.3 * from.strength, 5 * from.strength});
+    std::vector<Knobs> all;
+    for (const double strength : strengths)
+      for (const double relaxation : relaxations) {
+        all.push_back(from);
+        all.back().strength = strength, all.back().relaxation = relaxation;
+      }
+    return all;
   }
 
   std::vector<Knobs> tried(const Knobs& knobs, double stride) const {
@@ -191,16 +205,17 @@ class Variant {
   Runs runs_;
   std::vector<Runs> others_;  // from the other starts
   double most_;
+  Begins begins_;
   std::map<Knobs, double> over_;
   std::map<Knobs, Knobs> tuned_;
   Candidate best_;
 };
 
 /// Passes from which a search begins. More digits come first: what they reach bounds the cost of fewer.
-std::vector<int> passes_of(const Family& family) {
+std::vector<int> passes_of(const Family& family, Begins begins) {
   if (family.pass.empty()) return {1};
   if (family.pass == "digit") return {6, 4, 2, 1};
-  return {1, 2, 4, 8, 16, 64};
+  return begins == Begins::from_few ? std::vector{1, 2, 4, 8, 16, 64} : std::vector{1, 2, 3, 4, 6, 8};
 }
 
 }  // namespace
@@ -213,18 +228,25 @@ Candidate cheapest(std::span<const Problem> starts, const Family& family, const 
   std::vector<std::unique_ptr<Variant>> variants;
   Variant* best = nullptr;
   double work = 0;
-  for (const Cure cure : family.cures)
-    for (const int passes : passes_of(family)) {
-      if (best && work > most_work) break;
-      const double most = best && best->best().reached ? best->best().point.cost : INFINITY;
-      variants.push_back(
-          std::make_unique<Variant>(starts, family, wish, std::min(bound, most), most_work - work, *known));
-      Variant& variant = *variants.back();
-      variant.search(cure, passes);
-      work += variant.spent().work;
-      if (!best || (variant.best().point.family && preferred(variant.best(), best->best(), wish))) best = &variant;
-      if (variant.best().point.outcome == Outcome::refused) break;
-    }
+  const auto search = [&](Begins begins, double until) {
+    for (const Cure cure : family.cures)
+      for (const int passes : passes_of(family, begins)) {
+        if (best && work > until) return;
+        const double most = best && best->best().reached ? best->best().point.cost : INFINITY;
+        variants.push_back(
+            std::make_unique<Variant>(starts, family, wish, std::min(bound, most), until - work, begins, *known));
+        Variant& variant = *variants.back();
+        variant.search(cure, passes);
+        work += variant.spent().work;
+        if (!best || (variant.best().point.family && preferred(variant.best(), best->best(), wish)))
+          best = &variant;
+        if (variant.best().point.outcome == Outcome::refused) break;
+      }
+  };
+  search(Begins::from_few, most_work);
+  // Where that was quick, few substeps may do with choices that are far from those.
+  const bool has_choices = family.most_relaxation > 1 || family.least_relaxation < 1;
+  if (has_choices && best->best().reached && work < 0.2 * most_work) search(Begins::from_many, 0.6 * most_work);
   best->descend();
   if (spent)
     for (const auto& variant : variants) *spent += variant->spent();
