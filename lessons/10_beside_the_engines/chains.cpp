@@ -215,11 +215,11 @@ void chains(const Setting& setting, Page& page) {
       R"(A chain of @ pinned links of 1 m and 1 kg, the last of @ kg, is held level and let go. A
       sweep against the order of its rows passes the force that holds the chain on by one link, so from λ = 0 it takes
       a sweep per link, and more with a heavy end (lesson 3); a direct solve or joint coordinates take one pass. On velocities alone a step too long for the pull tears the chain, however exact it is (lesson 8, law 7); a correction
-      of positions with new Jacobians can hold it all the same. So it is watched for @ s, long enough for the
-      load to pass its lowest point. The gap is that of the worst pin. A run has
+      of positions with new Jacobians can hold it all the same. So it is watched for @ s, until the
+      load has passed its lowest point, @ of a swing; what comes after is not judged. The gap is that of the worst pin. A run has
       failed if a pin opens by a whole link, or if the chain gains more energy than it could by falling its whole
       length.)",
-      links, end_mass, Value(frames * frame, 2));
+      links, end_mass, Value(frames * frame, 2), Value(frames * frame / (4 * time_down(links)), 2));
 
   const Field<M> field = field_of(scene, Kind::joints);
   const auto exact = exact_places(links, end_mass);

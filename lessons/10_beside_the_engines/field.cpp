@@ -62,15 +62,10 @@ std::string in_words(double error, Unit unit) {
   return unit == Unit::metres ? say("@ mm", Value(1000 * error, 2)) : say("@ rad", Value(error, 2));
 }
 
-namespace {
-
-/// One number, or from where to where they go by the start.
 std::string in_words(const Spread& spread, Unit unit) {
   const std::string least = in_words(spread.least, unit), most = in_words(spread.most, unit);
   return told(spread.most) < 1.1 * told(spread.least) || least == most ? most : say("@ to @", least, most);
 }
-
-}  // namespace
 
 std::string listed(const std::vector<std::string>& names) {
   std::string all;

@@ -2,7 +2,9 @@
 
 #include "lessons/10_beside_the_engines/setting.hpp"
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "lessons/engines/contest.hpp"
 
@@ -116,18 +118,21 @@ template <class M>
 Scene<M> nudged(Scene<M> scene, int way);
 constexpr int ways = 4;
 
-/// Runs settings from the scene nudged in all ways, too: both rows, and those whose error is near the best.
+/// "1.2 mm", or "0.8 mm to 2 mm" by the start.
+std::string in_words(const Spread& spread, Unit unit);
+
+/// Runs settings from the scene nudged in all ways, too: both rows, and those of the least errors.
 template <class M, class F>
 void add_spreads(const Field<M>& field, const Scene<M>& scene, std::vector<Errors>& all, F&& error_of) {
-  constexpr double near = 1.5;  // times the best
-  constexpr std::size_t most_tried = 2;
+  constexpr std::size_t most_tried = 3;
   if (all.size() < 2) return;
   for (std::size_t i = 0; i < all.size(); ++i) {
     Errors& errors = all[i];
-    const double best = errors.best();
-    std::vector<std::size_t> tried{0, 1};
-    for (std::size_t j = 2; j < errors.by_setting.size() && tried.size() < 2 + most_tried; ++j)
-      if (std::isfinite(best) && told(errors.by_setting[j]) <= near * told(best)) tried.push_back(j);
+    std::vector<std::size_t> tried(errors.by_setting.size());
+    std::iota(tried.begin(), tried.end(), 0);
+    const auto by_error = [&](std::size_t j) { return errors.by_setting[j]; };
+    std::ranges::stable_sort(tried.begin() + 2, tried.end(), {}, by_error);
+    tried.resize(std::min(tried.size(), 2 + most_tried));
     for (const std::size_t j : tried) {
       Spread spread{errors.by_setting[j], errors.by_setting[j]};
       for (int way = 0; way < ways && std::isfinite(spread.most); ++way) {

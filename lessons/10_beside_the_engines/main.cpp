@@ -31,8 +31,9 @@ int main(int argc, char** argv) {
   lesson.deeper("Engines in WebAssembly", with(in_webassembly));
 
   std::vector<std::string> known{
-      "Two engines can be compared only in the same scene, from each one's own rest, by the same measure, long "
-      "enough for the scene's slowest motion, and each with its own settings tuned.",
+      "Two engines can be compared only in the same scene, by the same measure and over the same time, and each "
+      "with "
+      "its own settings tuned. Another time may rank them otherwise.",
       "The error of a single joint that is solved to the end is that of its scheme, whoever wrote it."};
   if (alone()) {
     known.emplace_back("With one engine only, this lesson shows how to measure, not who is better.");
@@ -41,9 +42,10 @@ int main(int argc, char** argv) {
         "Most engines' defaults are chosen for speed (few steps, few iterations) and calm (an overlap that is "
         "left). Each is a term of its error.");
     known.emplace_back(
-        "A load on a chain needs short steps: on velocities alone an exact solve tears it where the step is too "
-        "long, and "
-        "coordinates that cannot part explode. A tall stack needs short steps, many iterations or a direct solve "
+        "On velocities alone a load on a chain needs short steps: an exact solve tears it where the step is too "
+        "long. "
+        "There coordinates that cannot part explode. A tall stack needs short steps, many iterations or a direct "
+        "solve "
         "that "
         "converges; contacts that give way need short steps as well.");
     const auto soft = [](const auto& engine) { return engine.name == "Box2D 3" || engine.name == "Box3D"; };

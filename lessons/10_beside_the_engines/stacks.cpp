@@ -66,13 +66,22 @@ Standing stand(const Contestant<M>& contestant, const Scene<M>& scene, double sp
   return result;
 }
 
-std::string fate_of(const Standing& standing) {
-  if (std::isfinite(standing.fell))
-    return standing.fell == 0 ? std::string("fell before it came to rest")
-                              : say("fell after @ s", Value(standing.fell, 2));
-  if (std::max(standing.lean, std::abs(standing.sag)) < margin) return "moves " + in_millimetres(0);
-  return say("leans @, @ @", in_millimetres(standing.lean), standing.sag < 0 ? "rises" : "sags",
-             in_millimetres(std::abs(standing.sag)));
+/// Of the scene's own start, and how far the others lean where all stand.
+std::string fate_of(const std::vector<Standing>& all) {
+  const Standing& own = all.front();
+  const auto down = std::ranges::count_if(all, [](const Standing& s) { return std::isfinite(s.fell); });
+  if (down > 0) {
+    const std::string of_all = down < std::ssize(all) ? say(" (of @ starts @ fall)", all.size(), down) : "";
+    if (own.fell == 0) return "fell before it came to rest" + of_all;
+    return (std::isfinite(own.fell) ? say("fell after @ s", Value(own.fell, 2))
+                                    : say("leans @", in_millimetres(own.lean))) +
+           of_all;
+  }
+  const auto [least, most] = std::ranges::minmax(all, {}, &Standing::lean);
+  const Standing& lowest = *std::ranges::max_element(all, {}, [](const Standing& s) { return std::abs(s.sag); });
+  if (std::max(most.lean, std::abs(lowest.sag)) < margin) return "moves " + in_millimetres(0);
+  return say("leans @, @ @", in_words(Spread{least.lean, most.lean}, Unit::metres),
+             lowest.sag < 0 ? "rises" : "sags", in_millimetres(std::abs(lowest.sag)));
 }
 
 template <class M>
@@ -102,10 +111,8 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
         for (int way = 0; way < ways; ++way)
           all.push_back(stand(entrant.settings[row], nudged(one.scene, way), one.kick));
         const auto down = std::ranges::count_if(all, [](const Standing& s) { return std::isfinite(s.fell); });
-        const bool by_chance = down > 0 && down < std::ssize(all);
-        rows.back().push_back(
-            say("@@", fate_of(standing), by_chance ? say(" (of @ starts @ fall)", all.size(), down) : ""));
-        undecided += by_chance;
+        rows.back().push_back(fate_of(all));
+        undecided += down > 0 && down < std::ssize(all);
         sunk = standing.sunk;
         if (standing.goes_on())
           going_on.push_back(say("@ (@, @)", entrant.name, row == 0 ? "as shipped" : "as advised", one.name));
@@ -130,15 +137,15 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   const std::string fate_of_theirs =
       theirs == 0
           ? std::string()
-          : " " + page.verdict({{.when = Quantity("fallen", fallen) >= 1,
-                                 .say = say("Of the engines' @ stacks in this table @ fall within @ s.", theirs,
-                                            fallen, stack_frames * frame)},
-                                {.when = Quantity("fallen", fallen) < 1,
-                                 .say = say("Of the engines' @ stacks in this table none falls within @ s.",
-                                            theirs, stack_frames * frame)}});
-  const std::string hanging = undecided == 0 ? ""
-                                             : say(" In @ of the table the last digits of the start decide.",
-                                                   several(undecided, "cell", "cells"));
+          : " " + page.verdict(
+                      {{.when = Quantity("fallen", fallen) >= 1,
+                        .say = say("Of the engines' @ stacks in this table @ have fallen when @ s are over.",
+                                   theirs, fallen, stack_frames * frame)},
+                       {.when = Quantity("fallen", fallen) < 1,
+                        .say = say("Of the engines' @ stacks in this table none has fallen when @ s are over.",
+                                   theirs, stack_frames * frame)}});
+  const std::string hanging =
+      undecided == 0 ? "" : say(" In @ of the table these starts decide.", several(undecided, "cell", "cells"));
   double most = 0;
   for (const Standing& one : ours) most = std::max({most, one.lean, std::abs(one.sag)});
   if (alone() && down == 0) {
@@ -161,7 +168,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   if (!alone()) {
     page.text(
         R"(How far the kicked stack of 30 leans at most, with all settings of up to @ iterations a frame. A rigid column
-        would rock on its edge by v²H/3gw = @; in steps of a frame it leans less. Both rows, and what is near the best, are run
+        would rock on its edge by v²H/3gw = @. Both rows, and what is near the best, are run
         from @ more starts, with each box up to 1 µm aside.)",
         most_of_contacts, in_millimetres(stack_kick * stack_kick * tallest / (3 * gravity)), ways);
     page.table(head_of_three_rows, three_rows<M>(field, leans, Unit::metres));
@@ -170,14 +177,18 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
     const double mean = passes_a_frame(tries.back().scene, stack_kick, stack_frames);
     const Quantity at_first("passes a frame at first", passes_a_frame(tries.back().scene, stack_kick, soon)),
         later("1.1 × the mean", engines::equal_times * mean);
-    page.text("The chart has the mean of @ s. @", stack_frames * frame,
-              page.verdict({{.when = at_first > later,
-                             .say = say("In the first @ s after the kick this course, as shipped, goes over its "
-                                        "contacts @ times as often.",
-                                        soon * frame, Value(at_first.value / mean, 2))},
-                            {.when = at_first <= later,
-                             .say = "This course, as shipped, goes over its contacts no more often soon after the "
-                                    "kick."}}));
+    page.text(
+        "The chart has the mean of @ s. @", stack_frames * frame,
+        page.verdict(
+            {{.when = at_first > later,
+              .say =
+                  say("In the first @ s after the kick this course, as shipped and from one start, goes over its "
+                      "contacts @ times as often.",
+                      soon * frame, Value(at_first.value / mean, 2))},
+             {.when = at_first <= later,
+              .say = "This course, as shipped and from one start, goes over its contacts no more often soon after "
+                     "the "
+                     "kick."}}));
   }
   compare_by_time(page, figure,
                   "The kicked stack of 30: how far its top leans within 10 s, and the mean time of their frames.",

@@ -61,9 +61,10 @@ std::string least_as_advised(Page& page, const Field<M>& field,
     words += say("@@ (@)", words.empty() ? "" : "; ", name, listed(ahead));
   }
   const Quantity columns_ahead("columns in which an engine has less", columns_with);
-  return page.verdict(
-      {{.when = columns_ahead < 1, .say = "As advised, no engine has less than this course in any column."},
-       {.when = columns_ahead >= 1, .say = say("As advised, less than this course has: @.", words)}});
+  return page.verdict({{.when = columns_ahead < 1,
+                        .say = "In this table, as advised, no engine has less than this course in any column."},
+                       {.when = columns_ahead >= 1,
+                        .say = say("In this table, as advised, less than this course has: @.", words)}});
 }
 
 /// Who has a box that still moves after settling, and how fast it is.
@@ -134,12 +135,12 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
   page.table({"", "moved sideways", "sagged", "overlap at the end", "kicked: sideways", "sagged"}, rows);
   double most_moved = 0;
   for (const Wall& one : ours) most_moved = std::max(most_moved, one.moved);
-  const std::string stands =
-      page.verdict({{.when = Quantity("moved at most [m]", most_moved) < 1e-3,
-                     .say = R"(This course's displacements are below a thousandth of a box: its pyramid
-                                       stands.)"},
-                    {.when = Quantity("moved at most [m]", most_moved) >= 1e-3,
-                     .say = say("In this course some box moves by @.", in_millimetres(most_moved))}});
+  const Quantity farthest("moved at most [m]", most_moved);
+  const std::string stands = page.verdict(
+      {{.when = farthest < 0.02,
+        .say = say("This course's pyramid stands; in this table its boxes move by @ at most.",
+                   in_millimetres(most_moved))},
+       {.when = farthest >= 0.02, .say = say("In this course some box moves by @.", in_millimetres(most_moved))}});
   page.text("@", restless_in_words(field, still));
   page.text("@@", stands, alone() ? "" : " " + least_as_advised(page, field, advised));
   const auto moved = with_spreads(field, scene, still);
@@ -149,7 +150,8 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
         the last digits of the start. So both rows, and what is near the best, are run from @ more starts, with each box up to 1 µm aside:)",
         most, ways);
     page.table(head_of_three_rows, three_rows<M>(field, moved, Unit::metres));
-    page.text("@", judged(page, field, moved, Unit::metres));
+    page.text("@ That is of @ s after @ s of settling: who still moves then comes closer to rest later.",
+              judged(page, field, moved, Unit::metres), wall_frames * frame, settling * frame);
     if (most < most_of_contacts && moved.size() > 1) tell_beyond_the_limit(page, field, scene, moved);
     const double passes = passes_a_frame(scene, 0, wall_frames);
     const Quantity kicked("passes after the kick", passes_a_frame(scene, wall_kick, wall_frames)),

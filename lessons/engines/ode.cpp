@@ -177,9 +177,8 @@ void add_ode(std::vector<Engine>& all) {
   direct.in_plane = build<PlaneBody, false>, direct.in_space = build<SpaceBody, false>;
   direct.refusal = [](const Asked& asked) -> std::string {
     if (asked.boxes > 1)
-      return "piles: a straight stack of ten falls, as shipped and as advised, and the time grows as the cube of "
-             "the "
-             "number of rows";
+      return "piles: from some starts a straight stack of ten falls, and the time grows as the cube of the number "
+             "of rows";
     return asked.pins > 60 ? "takes a time that grows as the cube of the number of rows" : "";
   };
 }
