@@ -244,9 +244,9 @@ Ended refined(const AnyScene& start, double size, double time, double close, int
   return best;
 }
 
-/// How far any body is at most, in the last tenth of a time, from where it then ends [m].
-double last_motion(AnyScene scene, double time) {
-  const auto advance = finely(scene, takes_rattle(scene), 64);
+/// How far any body is at most, in the last tenth of a time, from where it then ends [m], to a tenth of that.
+double last_motion(AnyScene scene, double time, int of_springs) {
+  const auto advance = finely(scene, takes_rattle(scene), std::clamp(16 * of_springs, 64, 8192));
   const long frames = std::lround(time / frame), before = frames - std::max(1L, frames / 10);
   std::vector<ExactState> last;
   for (long i = 0; i < frames; ++i) {
@@ -382,7 +382,8 @@ Request request_of(const SceneFile& file) {
                     "So it is compared "
                     "after {:.2g} s.",
                     pilot.seconds, scene.time));
-  if (asks_for_truth(file)) request.last_motion = last_motion(request.problem.start(), scene.time);
+  if (asks_for_truth(file))
+    request.last_motion = last_motion(request.problem.start(), scene.time, substeps_of_springs(file, scene.time));
   for (const auto& [name, limit] : file.accuracy) {
     const Error error = error_named(name);
     if (error == Error::energy && !scene.keeps_energy && std::isnan(pilot.energy_change))
