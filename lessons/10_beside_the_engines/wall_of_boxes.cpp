@@ -150,7 +150,7 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
         the last digits of the start. So both rows, and what is near the best, are run from @ more starts, with each box up to 1 µm aside:)",
         most, ways);
     page.table(head_of_three_rows, three_rows<M>(field, moved, Unit::metres));
-    page.text("@ That is of @ s after @ s of settling: who still moves then comes closer to rest later.",
+    page.text("@ That is of @ s after @ s of settling; other times may rank them otherwise.",
               judged(page, field, moved, Unit::metres), wall_frames * frame, settling * frame);
     if (most < most_of_contacts && moved.size() > 1) tell_beyond_the_limit(page, field, scene, moved);
     const double passes = passes_a_frame(scene, 0, wall_frames);
