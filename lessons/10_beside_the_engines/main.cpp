@@ -31,8 +31,7 @@ int main(int argc, char** argv) {
   lesson.deeper("Engines in WebAssembly", with(in_webassembly));
 
   std::vector<std::string> known{
-      "Two engines can be compared only in the same scene, by the same measure and over the same time, and each "
-      "with "
+      "Two engines can be compared only in the same scene, by the same measure and over the same time, each with "
       "its own settings tuned. Another time may rank them otherwise.",
       "The error of a single joint that is solved to the end is that of its scheme, whoever wrote it."};
   if (alone()) {
@@ -43,17 +42,13 @@ int main(int argc, char** argv) {
         "left). Each is a term of its error.");
     known.emplace_back(
         "On velocities alone a load on a chain needs short steps: an exact solve tears it where the step is too "
-        "long. "
-        "There coordinates that cannot part explode. A tall stack needs short steps, many iterations or a direct "
-        "solve "
-        "that "
-        "converges; contacts that give way need short steps as well.");
+        "long. There coordinates that cannot part explode. A tall stack needs short steps, many iterations or a "
+        "direct solve that converges; contacts that give way need short steps as well.");
     const auto soft = [](const auto& engine) { return engine.name == "Box2D 3" || engine.name == "Box3D"; };
     if (std::any_of(engines::all_engines().begin(), engines::all_engines().end(), soft))
       known.emplace_back(
           "If an engine gives its joints a stiffness in hertz and caps it by the rate of substeps, as Box2D 3 "
-          "does, "
-          "more substeps alone do not make them stiffer beyond that; raise the frequency too.");
+          "does, more substeps alone do not make them stiffer beyond that; raise the frequency too.");
     known.emplace_back("A time belongs to one machine; the ratio of two times in one run says more.");
   }
   lesson.closing(
