@@ -395,9 +395,8 @@ std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>&
 }
 
 template <class M>
-std::string judged_at_best(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
-                           const std::string& what) {
-  return judged_by<M>({best_of(field)}, page, field, all, unit, what);
+std::string judged_at_best(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit) {
+  return judged_by<M>({best_of(field)}, page, field, all, unit, "error");
 }
 
 #define BYHAND_INSTANTIATE(M)                                                                                   \
@@ -406,8 +405,7 @@ std::string judged_at_best(Page& page, const Field<M>& field, const std::vector<
   template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, Unit); \
   template void tell_three(Page&, const Field<M>&, const std::vector<Errors>&, Unit);                           \
   template std::string judged(Page&, const Field<M>&, const std::vector<Errors>&, Unit, const std::string&);    \
-  template std::string judged_at_best(Page&, const Field<M>&, const std::vector<Errors>&, Unit,                 \
-                                      const std::string&);                                                      \
+  template std::string judged_at_best(Page&, const Field<M>&, const std::vector<Errors>&, Unit);                \
   template double passes_a_frame(const Scene<M>&, double, int);                                                 \
   template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Timed<M>&, const std::string&, \
                               Unit);                                                                            \

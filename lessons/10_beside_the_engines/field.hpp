@@ -239,10 +239,9 @@ template <class M>
 std::string judged(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
                    const std::string& what = "error");
 
-/// The last of these verdicts, on the best settings.
+/// The last of these verdicts, on the errors of the best settings.
 template <class M>
-std::string judged_at_best(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit,
-                           const std::string& what = "error");
+std::string judged_at_best(Page& page, const Field<M>& field, const std::vector<Errors>& all, Unit unit);
 
 /// Passes over the rows that this course takes a frame as shipped, on the mean of so many frames from its rest on,
 /// after a kick where `speed` [m/s] is above 0.

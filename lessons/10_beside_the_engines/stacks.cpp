@@ -66,10 +66,14 @@ Standing stand(const Contestant<M>& contestant, const Scene<M>& scene, double sp
   return result;
 }
 
+long fallen_of(const std::vector<Standing>& all) {
+  return std::ranges::count_if(all, [](const Standing& s) { return std::isfinite(s.fell); });
+}
+
 /// Of the scene's own start, and how far the others lean where all stand.
 std::string fate_of(const std::vector<Standing>& all) {
   const Standing& own = all.front();
-  const auto down = std::ranges::count_if(all, [](const Standing& s) { return std::isfinite(s.fell); });
+  const long down = fallen_of(all);
   if (down > 0) {
     const std::string of_all = down < std::ssize(all) ? say(" (of @ starts @ fall)", all.size(), down) : "";
     if (own.fell == 0) return "fell before it came to rest" + of_all;
@@ -110,9 +114,8 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
         std::vector<Standing> all{standing};
         for (int way = 0; way < ways; ++way)
           all.push_back(stand(entrant.settings[row], nudged(one.scene, way), one.kick));
-        const auto down = std::ranges::count_if(all, [](const Standing& s) { return std::isfinite(s.fell); });
         rows.back().push_back(fate_of(all));
-        undecided += down > 0 && down < std::ssize(all);
+        undecided += fallen_of(all) > 0 && fallen_of(all) < std::ssize(all);
         sunk = standing.sunk;
         if (standing.goes_on())
           going_on.push_back(say("@ (@, @)", entrant.name, row == 0 ? "as shipped" : "as advised", one.name));
@@ -126,8 +129,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   std::vector<std::string> head{""};
   for (const Try& one : tries) head.push_back(one.name);
   head.push_back(say("sunk at rest, @", tallest));
-  const auto down =
-      std::count_if(ours.begin(), ours.end(), [](const Standing& s) { return std::isfinite(s.fell); });
+  const long down = fallen_of(ours);
   // One after the other, so that each compiler lists them in this order.
   const std::string fate_of_ours =
       page.verdict({{.when = Quantity("fallen", static_cast<double>(down)) < 1,

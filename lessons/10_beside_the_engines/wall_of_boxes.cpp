@@ -9,6 +9,7 @@ namespace {
 
 constexpr int wall_frames = 300, soon = 40;  // 5 s, ⅔ s from rest on
 constexpr double wall_kick = 0.02;           // [m/s]
+constexpr double stands_within = 0.02;       // where a box stands: a fiftieth of it [m]
 
 /// The largest sideways displacement of any box from its engine's rest, and down, at any time; how deep two
 /// overlap at the end [m]; the speed of the fastest at that rest, before a kick [m/s].
@@ -136,11 +137,12 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
   double most_moved = 0;
   for (const Wall& one : ours) most_moved = std::max(most_moved, one.moved);
   const Quantity farthest("moved at most [m]", most_moved);
-  const std::string stands = page.verdict(
-      {{.when = farthest < 0.02,
-        .say = say("This course's pyramid stands; in this table its boxes move by @ at most.",
-                   in_millimetres(most_moved))},
-       {.when = farthest >= 0.02, .say = say("In this course some box moves by @.", in_millimetres(most_moved))}});
+  const std::string stands =
+      page.verdict({{.when = farthest < stands_within,
+                     .say = say("This course's pyramid stands; in this table its boxes move by @ at most.",
+                                in_millimetres(most_moved))},
+                    {.when = farthest >= stands_within,
+                     .say = say("In this course some box moves by @.", in_millimetres(most_moved))}});
   page.text("@", restless_in_words(field, still));
   page.text("@@", stands, alone() ? "" : " " + least_as_advised(page, field, advised));
   const auto moved = with_spreads(field, scene, still);
@@ -178,7 +180,7 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
                                         "moved sideways");
                   });
   page.claim("this course, the pyramid: most that a box moves sideways at any time of four runs", most_moved, "m",
-             is_at_most(0.02, "a fiftieth of a box: it stands"));
+             is_at_most(stands_within, "a fiftieth of a box: it stands"));
 }
 
 }  // namespace

@@ -285,6 +285,19 @@ int AnyScene::degrees_of_freedom() const {
   });
 }
 
+namespace {
+
+/// The numbers of rows of its joints. Where they differ, a direct solve takes its general loops.
+template <class M>
+std::set<int> rows_a_joint(const Scene<M>& scene) {
+  std::set<int> rows;
+  for_each_constraint(scene, ContactManager<M>(),
+                      [&](const ConstraintStore<M>& store, const auto&) { rows.insert(store.rows); });
+  return rows;
+}
+
+}  // namespace
+
 std::string AnyScene::row_kind() const {
   return read([]<class M>(const Scene<M>& scene) -> std::string {
     const std::vector<Shape<M>>& shapes = scene.colliders().shapes;
@@ -294,9 +307,6 @@ std::string AnyScene::row_kind() const {
              std::holds_alternative<std::monostate>(shape);
     };
     const bool joined = scene.count() > 0, bounded = scene.bounded();
-    std::set<int> rows;  // of a constraint: where they differ, a direct solve takes its general loops
-    for_each_constraint(scene, ContactManager<M>(),
-                        [&](const ConstraintStore<M>& store, const auto&) { rows.insert(store.rows); });
     std::string kind;
     if (!shapes.empty())
       kind = joined ? "joined shapes" : std::ranges::all_of(shapes, round) ? "balls that touch" : "boxes";
@@ -306,7 +316,7 @@ std::string AnyScene::row_kind() const {
       kind = bounded ? "ropes" : "bobs";
     else if (bounded)
       kind = "machines";
-    else if (rows.size() > 1)
+    else if (const std::set<int> rows = rows_a_joint(scene); rows.size() > 1)
       kind = "mixed joints";
     else if (rows.contains(5))
       kind = "hinges";

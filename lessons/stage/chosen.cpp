@@ -123,8 +123,7 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
     if (request.last_motion < 0.1 * limit->second)
       page.text(
           "In the last tenth of the time no body moves further than @ m from where it ends. So this trajectory "
-          "says "
-          "where the scene ends, not how it gets there.",
+          "says where the scene ends, not how it gets there.",
           Value(std::max(least_told, request.last_motion), 2));
   }
   if (request.problem.scene().varied.empty())
@@ -206,9 +205,8 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
   page.text(
       "Besides, a run has to do its duty: no joint opens and nothing sinks in by more than a tenth of the "
       "smallest "
-      "body, @and where the energy of the true motion is known, a run never has more than the most of that and @ "
-      "% of "
-      "its scale, and from the file's own start it ends within as much of it.",
+      "body, @and where the energy of the true motion is known, a run never has more than the most of that and "
+      "@ % of its scale, and from the file's own start it ends within as much of it.",
       request.problem.scene().rests ? "nothing leaves its place by more than half of it, " : "",
       Value(100 * energy_astray, 2));
   const double open = request.problem.start().separation();

@@ -182,10 +182,10 @@ Ended run(AnyScene scene, bool rattle, int substeps, double time) {
       before, {centres(scene), scene.momentum()}, cost_of(scene.effort(), prices), scene.effort().contacts > 0};
 }
 
-double farthest_apart(const ExactState& a, const ExactState& b) {
+using Places = std::vector<Eigen::Vector3d>;
+double farthest_apart(const Places& a, const Places& b) {
   double apart = 0;
-  for (std::size_t i = 0; i < a.positions.size(); ++i)
-    apart = std::max(apart, (a.positions[i] - b.positions[i]).norm());
+  for (std::size_t i = 0; i < a.size(); ++i) apart = std::max(apart, (a[i] - b[i]).norm());
   return apart;
 }
 
@@ -224,13 +224,13 @@ Ended refined(const AnyScene& start, double size, double time, double close, int
   int reached = 8;
   for (int substeps = 16; substeps <= most() && (substeps <= chance() || uncertainty > close); substeps *= 2) {
     Ended fine = run(start, rattle, substeps, time);
-    const double apart = farthest_apart(fine.end, coarse.end), ratio = before[0] / apart;
+    const double apart = farthest_apart(fine.end.positions, coarse.end.positions), ratio = before[0] / apart;
     const double factor = std::abs(ratio - 2) < 0.2 ? 2 : std::abs(ratio - 4) < 0.4 ? 4 : 0;
     best = fine, uncertainty = (rattle ? 1 : 2) * std::max({apart, before[0] / 4, before[1] / 16});
     std::optional<Ended> now;
     std::optional<double> change;
     if (factor > 0 && !fine.touched) now = extrapolated(coarse, fine, factor);
-    if (now && last) change = farthest_apart(now->end, last->end);
+    if (now && last) change = farthest_apart(now->end.positions, last->end.positions);
     if (change && last_change) best = *now, uncertainty = std::max({*change, *last_change / 4, 0.01 * apart});
     const bool hopeless = (substeps >= 32 && apart > 0.5 * size) || 4 * fine.cost > reference_cost;
     cost += fine.cost;
@@ -248,14 +248,13 @@ Ended refined(const AnyScene& start, double size, double time, double close, int
 double last_motion(AnyScene scene, double time, int of_springs) {
   const auto advance = finely(scene, takes_rattle(scene), std::clamp(16 * of_springs, 64, 8192));
   const long frames = std::lround(time / frame), before = frames - std::max(1L, frames / 10);
-  std::vector<ExactState> last;
+  std::vector<Places> last;
   for (long i = 0; i < frames; ++i) {
-    if (i >= before) last.push_back({centres(scene), scene.momentum()});
+    if (i >= before) last.push_back(centres(scene));
     advance();
   }
-  const ExactState end{centres(scene), scene.momentum()};
   double most = 0;
-  for (const ExactState& state : last) most = larger(most, farthest_apart(state, end));
+  for (const Places& places : last) most = larger(most, farthest_apart(places, centres(scene)));
   return most;
 }
 

@@ -2,7 +2,7 @@
 
 #include "lessons/methods/row_solvers.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/direct/equations.hpp"
+#include "tests/solver/hash.hpp"
 
 // What a step counts of its work, from which its price is made.
 namespace counts_test {
@@ -21,32 +21,18 @@ auto run_of(const Solver& solver, const DriftCure& cure = Baumgarte{}) {
   return simulation;
 }
 
-struct Counts {
-  long long laid_out_rows, solves, passes, prepared_rows, projected_rows, row_solves;
-  bool operator==(const Counts&) const = default;
-};
-void PrintTo(const Counts& c, std::ostream* out) {
-  *out << c.laid_out_rows << " rows laid out, " << c.solves << " solves, " << c.passes << " passes, "
-       << c.prepared_rows << " rows prepared, " << c.projected_rows << " projected, " << c.row_solves
-       << " row solves";
-}
-template <class Simulation>
-Counts counts_of(const Simulation& simulation) {
-  const Executed& done = simulation.work.executed;
-  return {done.laid_out_rows, done.solves,         done.passes,
-          done.prepared_rows, done.projected_rows, simulation.work.row_solves};
-}
-
 constexpr long long solves = steps * substeps;
 
 TEST(Counts, OfAFixedNumberOfSweepsAreThatNumberInEachSubstep) {
-  const auto expected = [](long long passes) {
-    return Counts{rows, solves, passes * solves, rows * solves, 0, passes * rows * solves};
+  const auto expect = [](long long passes, const auto& simulation) {
+    EXPECT_EQ(counted<M>(simulation.work),
+              fmt::format("{} rows laid out, {} solves, {} passes, {} rows prepared, {} row solves", rows, solves,
+                          passes * solves, rows * solves, passes * rows * solves));
   };
-  EXPECT_EQ(counts_of(run_of(GaussSeidel{13})), expected(13));
-  EXPECT_EQ(counts_of(run_of(GaussSeidel{13, true, SweepOrder::symmetric})), expected(26));
-  EXPECT_EQ(counts_of(run_of(GaussSeidel{13, true, SweepOrder::coloured})), expected(13));
-  EXPECT_EQ(counts_of(run_of(Jacobi{13})), expected(13));
+  expect(13, run_of(GaussSeidel{13}));
+  expect(26, run_of(GaussSeidel{13, true, SweepOrder::symmetric}));
+  expect(13, run_of(GaussSeidel{13, true, SweepOrder::coloured}));
+  expect(13, run_of(Jacobi{13}));
 }
 
 TEST(Counts, OfADirectSolveAreTheRowSolvesOfAsManyMultiplications) {
@@ -54,16 +40,14 @@ TEST(Counts, OfADirectSolveAreTheRowSolvesOfAsManyMultiplications) {
   Graph graph{links, {{Edge::no_body, 0, 2}}};
   for (int i = 1; i < links; ++i) graph.edges.push_back({i - 1, i, 2});
   const long long once = plan_elimination(graph, M::dof, 1LL << 40).multiplications / (4 * M::dof) + 1;
-  const Counts counts = counts_of(simulation);
-  EXPECT_EQ(counts.row_solves, once * solves);
-  EXPECT_EQ(counts.passes, 0);
+  EXPECT_EQ(simulation.work.row_solves, once * solves);
+  EXPECT_EQ(simulation.work.executed.passes, 0);
   EXPECT_EQ(simulation.work.solution.rounds, substeps);
 }
 
 TEST(Counts, OfADenseSolveAreASixthOfTheCubeOfItsRows) {
   const long long multiplications = rows * rows * rows / 6 + rows * rows;
-  EXPECT_EQ(counts_of(run_of(Direct{Factorisation::dense})).row_solves,
-            (multiplications / (4 * M::dof) + 1) * solves);
+  EXPECT_EQ(run_of(Direct{Factorisation::dense}).work.row_solves, (multiplications / (4 * M::dof) + 1) * solves);
 }
 
 // Planned once, whenever the rows are laid out: another step plans nothing.
@@ -80,9 +64,9 @@ TEST(Counts, OfPlansAreOfThoseMade) {
 }
 
 TEST(Counts, OfProjectionAreItsSweepsOverAllRows) {
-  const Counts counts = counts_of(run_of(GaussSeidel{13}, Projection{.sweeps = 3}));
-  EXPECT_EQ(counts.projected_rows, 3 * rows * solves);
-  EXPECT_EQ(counts.row_solves, (13 + 3) * rows * solves);
+  const auto simulation = run_of(GaussSeidel{13}, Projection{.sweeps = 3});
+  EXPECT_EQ(simulation.work.executed.projected_rows, 3 * rows * solves);
+  EXPECT_EQ(simulation.work.row_solves, (13 + 3) * rows * solves);
 }
 
 TEST(Counts, OfSolvesAddUp) {
