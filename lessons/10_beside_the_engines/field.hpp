@@ -121,9 +121,9 @@ constexpr int ways = 4;
 /// "1.2 mm", or "0.8 mm to 2 mm" by the start.
 std::string in_words(const Spread& spread, Unit unit);
 
-/// Runs settings from the scene nudged in all ways, too: both rows, and those of the least errors.
-template <class M, class F>
-void add_spreads(const Field<M>& field, const Scene<M>& scene, std::vector<Errors>& all, F&& error_of) {
+/// Runs settings from nearby(way) in all ways, too: both rows, and those of the least errors.
+template <class M, class S, class F>
+void add_spreads(const Field<M>& field, S&& nearby, std::vector<Errors>& all, F&& error_of) {
   constexpr std::size_t most_tried = 3;
   if (all.size() < 2) return;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -136,7 +136,7 @@ void add_spreads(const Field<M>& field, const Scene<M>& scene, std::vector<Error
     for (const std::size_t j : tried) {
       Spread spread{errors.by_setting[j], errors.by_setting[j]};
       for (int way = 0; way < ways && std::isfinite(spread.most); ++way) {
-        const double error = error_of(field.entrants[i].settings[j], nudged(scene, way));
+        const double error = error_of(field.entrants[i].settings[j], nearby(way));
         spread.least = std::min(spread.least, error);
         spread.most = std::isfinite(error) ? std::max(spread.most, error) : INFINITY;
       }

@@ -165,8 +165,9 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   const auto outcomes =
       outcomes_of(field, [&](const auto& who) { return stand(who, tries.back().scene, stack_kick); });
   auto leans = errors_of(outcomes, &Standing::leant);
-  add_spreads(field, tries.back().scene, leans,
-              [](const auto& who, const auto& start) { return stand(who, start, stack_kick).leant(); });
+  add_spreads(
+      field, [&](int way) { return nudged(tries.back().scene, way); }, leans,
+      [](const auto& who, const auto& start) { return stand(who, start, stack_kick).leant(); });
   if (!alone()) {
     page.text(
         R"(How far the kicked stack of 30 leans at most, with all settings of up to @ iterations a frame. A rigid column

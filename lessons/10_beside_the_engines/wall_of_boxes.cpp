@@ -88,8 +88,9 @@ template <class M>
 std::vector<Errors> with_spreads(const Field<M>& field, const Scene<M>& scene,
                                  const std::vector<Outcomes<Wall>>& still) {
   auto moved = errors_of(still, &Wall::moved);
-  add_spreads(field, scene, moved,
-              [](const auto& who, const auto& start) { return watched(who, start, 0).moved; });
+  add_spreads(
+      field, [&](int way) { return nudged(scene, way); }, moved,
+      [](const auto& who, const auto& start) { return watched(who, start, 0).moved; });
   return moved;
 }
 

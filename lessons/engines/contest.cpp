@@ -50,15 +50,24 @@ Scene<M> begun(const Start<M>& start, World<M>& world, int steps, const Scene<M>
 }  // namespace
 
 template <class M>
-void run_from(const Start<M>& start, const Contestant<M>& contestant, const Scene<M>& scene, int frames,
-              const std::function<void(const Scene<M>&, double)>& look) {
+void run_while(const Start<M>& start, const Contestant<M>& contestant, const Scene<M>& scene, int frames,
+               const std::function<bool(const Scene<M>&, double)>& look) {
   const auto world = contestant.build(scene);
   Scene<M> seen = begun(start, *world, contestant.setting.steps, scene);
   for (int i = 1; i <= frames; ++i) {
     run_frame(*world, contestant.setting.steps);
     world->read(seen.state());
-    look(seen, i * frame);
+    if (!look(seen, i * frame)) return;
   }
+}
+
+template <class M>
+void run_from(const Start<M>& start, const Contestant<M>& contestant, const Scene<M>& scene, int frames,
+              const std::function<void(const Scene<M>&, double)>& look) {
+  run_while<M>(start, contestant, scene, frames, [&](const Scene<M>& seen, double time) {
+    look(seen, time);
+    return true;
+  });
 }
 
 template <class M>
@@ -123,6 +132,8 @@ Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>&
                     const std::function<void(const Scene<M>&, double)>&);                           \
   template void run_from(const Start<M>&, const Contestant<M>&, const Scene<M>&, int,               \
                          const std::function<void(const Scene<M>&, double)>&);                      \
+  template void run_while(const Start<M>&, const Contestant<M>&, const Scene<M>&, int,              \
+                          const std::function<bool(const Scene<M>&, double)>&);                     \
   template std::vector<Seconds> seconds_a_frame(const Start<M>&, const std::vector<Contestant<M>>&, \
                                                 const Scene<M>&, int, int)
 BYHAND_INSTANTIATE(PlaneBody);

@@ -42,6 +42,11 @@ template <class M>
 void run_from(const Start<M>& start, const Contestant<M>& contestant, const Scene<M>& scene, int frames,
               const std::function<void(const Scene<M>&, double)>& look);
 
+/// The same for as long as look says true.
+template <class M>
+void run_while(const Start<M>& start, const Contestant<M>& contestant, const Scene<M>& scene, int frames,
+               const std::function<bool(const Scene<M>&, double)>& look);
+
 /// Processor seconds a frame: of the quickest and the slowest of some rounds.
 struct Seconds {
   double least = 0, most = 0;

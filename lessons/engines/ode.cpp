@@ -3,6 +3,7 @@
 
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <cstdarg>
 
 #include "lessons/engines/in_space.hpp"
@@ -74,6 +75,7 @@ class Ode : public World<M> {
   }
 
   void step(double h) override {
+    if (std::ranges::any_of(bodies_, exploded)) return;
     dSpaceCollide(space_, this, touch);
     quick ? dWorldQuickStep(world_, h) : dWorldStep(world_, h);
     dJointGroupEmpty(touching_);
@@ -100,6 +102,12 @@ class Ode : public World<M> {
   }
 
  private:
+  /// A body faster than 10⁶ m/s or rad/s. Where numbers overflow, ODE's checks end the program.
+  static bool exploded(dBodyID body) {
+    const auto fast = [](const dReal* v) { return !(Eigen::Vector3d(v[0], v[1], v[2]).norm() < 1e6); };
+    return body && (fast(dBodyGetLinearVel(body)) || fast(dBodyGetAngularVel(body)));
+  }
+
   static Eigen::Vector3d at(const Scene<M>& scene, int body, const Arm<M>& arm) {
     const Pose<M>& pose = scene.bodies().pose[body];
     return in_space(anchor<M, double>(pose, in_world<M, double>(pose, arm)));

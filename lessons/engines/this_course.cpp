@@ -1,9 +1,10 @@
-// This course's solver, as a user of the library has it, and two of lesson 9's methods for joints.
+// This course's solver, as a user of the library has it, and three of lesson 9's methods for joints.
 
 #include <limits>
 
 #include "lessons/engines/engine.hpp"
 #include "lessons/methods/accelerations.hpp"
+#include "lessons/methods/generalised.hpp"
 #include "lessons/methods/rattle.hpp"
 #include "solver/step.hpp"
 
@@ -13,7 +14,8 @@ namespace {
 template <class M, class Method>
 class ThisCourse : public World<M> {
  public:
-  ThisCourse(const Scene<M>& scene, const Method& method) : simulation_{scene, method} {}
+  ThisCourse(const Scene<M>& scene, const Method& method)
+      : simulation_{scene, method}, refused_(!refusal(scene, method).empty()) {}
   void step(double h) override {
     if (refused_) return;
     try {
@@ -32,7 +34,7 @@ class ThisCourse : public World<M> {
 
  private:
   Simulation<M, Method> simulation_;
-  bool refused_ = false;
+  bool refused_;
 };
 
 VelocityStepping by_velocities(const Knobs& knobs) {
@@ -51,6 +53,10 @@ std::unique_ptr<World<M>> build(const Scene<M>& scene, const Knobs& knobs) {
         scene, Accelerations{.scheme = Scheme::rk4, .substeps = substeps});
   if (knobs.value("RATTLE", 0) != 0)
     return std::make_unique<ThisCourse<M, Rattle>>(scene, Rattle{.substeps = substeps});
+  for (const auto& [name, rule] : {std::pair("Euler in joint coordinates", JointRule::semi_implicit_euler),
+                                   std::pair("RK4 in joint coordinates", JointRule::rk4)})
+    if (knobs.value(name, 0) != 0)
+      return std::make_unique<ThisCourse<M, Generalised>>(scene, Generalised{.rule = rule, .substeps = substeps});
   return std::make_unique<ThisCourse<M, VelocityStepping>>(scene, by_velocities(knobs));
 }
 

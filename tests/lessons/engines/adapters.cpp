@@ -284,6 +284,27 @@ TEST(Engines, EachIsTriedWithTheSameStepsAndIterations) {
   }
 }
 
+TEST(Contest, RunsForAsLongAsItsLookSays) {
+  std::vector<double> times;
+  run_while<M>({}, contestant<M>(this_course(), {}), stack(1), 10, [&](const Scene<M>&, double time) {
+    times.push_back(time);
+    return times.size() < 3;
+  });
+  EXPECT_EQ(times, (std::vector<double>{1 * frame, 2 * frame, 3 * frame}));
+}
+
+// Where numbers overflow, ODE's checks end the program.
+TEST(Engines, OdeIsNotSteppedOnceItHasExploded) {
+  Scene<M> scene = box_on_incline(0.3, 0.4);
+  scene.state().velocity[1] = {1e200, 1e200, 1e200};
+  for (const Engine& engine : all_engines()) {
+    if (!engine.name.starts_with("ODE")) continue;
+    int frames = 0;
+    run<M>(contestant<M>(engine, {}), scene, 3, [&](const Scene<M>&, double) { ++frames; });
+    EXPECT_EQ(frames, 3) << engine.name;
+  }
+}
+
 TEST(Contest, IsAheadOnlyBeyondTheSpreadOfTheTimes) {
   const std::vector<Point> ours{{{1, 1.2}, 1e-2}, {{10, 12}, 1e-4}};
   const auto rank = [&](const Point& point) { return at_equal_time({point}, ours).rank; };
