@@ -145,6 +145,12 @@ TEST_IN_ALL_MODELS(Constraint, MustJoinTwoBodiesOfTheScene) {
   if constexpr (M::angular > 0) {
     subject.refuses("body index is 9", allowed,
                     [&] { axis_in<M>(scene.bodies(), 9, Linear<M>(Linear<M>::Unit(0))); });
+    for (const double bad : {0.0, infinity, nan}) {
+      Linear<M> axis = Linear<M>::Zero();
+      axis[0] = bad;
+      subject.refuses(fmt::format("length of the axis is {}", bad), "positive and finite",
+                      [&] { axis_in<M>(scene.bodies(), 1, axis); });
+    }
     subject.refuses("body index is 9", allowed, [&] { orientation<M>(scene.bodies(), 0, 9); });
     Pin<M> far{{0, 1}};
     far.at.arms.second[1] = infinity;
@@ -294,6 +300,8 @@ TEST_IN_ALL_MODELS(Step, MustHaveATimeAndChoicesWithinTheirRange) {
   refuses(0.1, {GaussSeidel{}, Baumgarte{1.1e6, BetaReading::literal}}, "beta is 1", "[1/s]");
   refuses(0.1, {GaussSeidel{0}}, "number of sweeps is 0", "at least 1");
   refuses(0.1, {GaussSeidel{.tolerance = -1}}, "tolerance is -1", "between 0 and");
+  refuses(0.1, {ConjugateSweeps{0}}, "number of sweeps is 0", "at least 1");
+  refuses(0.1, {ConjugateSweeps{.tolerance = nan}}, "tolerance is nan", "between 0 and");
   refuses(0.1, {Jacobi{-2}}, "number of sweeps is -2", "at least 1");
   for (const double bad : {0.0, 2.0, nan}) {
     GaussSeidel sweeps;
@@ -334,6 +342,7 @@ TEST(Defaults, OfRowSolversAreThoseOfTheReference) {
   EXPECT_EQ(GaussSeidel{}.tolerance, 0);
   EXPECT_EQ(Jacobi{}.sweeps, 10);
   EXPECT_EQ(Jacobi{}.relaxation, 1);
+  EXPECT_EQ(std::get<Baumgarte>(VelocityStepping{}.drift).slop, 0.001);
   EXPECT_EQ(ConjugateSweeps{}.sweeps, 50);
   EXPECT_EQ(ConjugateSweeps{}.tolerance, 1e-6);
   EXPECT_EQ(ConjugateGradients{}.iterations, 50);
