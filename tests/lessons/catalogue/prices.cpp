@@ -190,6 +190,22 @@ Problem mixed(int links, bool sprung) {
   return uncatalogued("mixed joints", scene);
 }
 
+/// A net of rods or springs that hangs by two corners: what a direct solve eliminates has loops.
+template <class M>
+Problem net(int width, int height, bool sprung) {
+  Scene<M> scene;
+  for (int i = 0; i < width * height; ++i)
+    scene.add_body(Linear<M>((i % width) * Linear<M>::Unit(0) - (i / width) * Linear<M>::Unit(1)),
+                   i == 0 || i == width - 1 ? fixed<M>() : with_mass<M>(1 + i % 2));
+  for (int i = 0; i < width * height; ++i)
+    for (const int other : {i % width > 0 && (i >= width || width > 2) ? i - 1 : -1, i - width})
+      if (other >= 0 && sprung)
+        scene.add(Spring<M>{{other, i}, 1, {200, 1}});
+      else if (other >= 0)
+        scene.add(Distance<M>{{other, i}, 1});
+  return uncatalogued("net", scene);
+}
+
 /// The turn of a link of a chain in the plane x, y against the one before it.
 template <class M>
 Turn<M> turn_of(const Scene<M>& scene, int link) {
@@ -272,7 +288,7 @@ Problem drawn_problem(Draws& draws) {
   const double links = draws.one_of({1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0});
   const double kick = draws.one_of({0.0, 0.02, 0.02});
   const int few = draws.one_of({1, 2, 3, 5, 10, 20});
-  switch (draws.below(28)) {
+  switch (draws.below(30)) {
     case 0: return Problem("stack", {{"boxes", draws.one_of({2.0, 3.0, 5.0, 8.0, 12.0, 30.0})}, {"kick", kick}});
     case 1: return Problem("pyramid", {{"base", draws.one_of({2.0, 3.0, 4.0, 6.0, 9.0, 12.0})}, {"kick", kick}});
     case 2: return Problem(draws.one_of({"incline", "four_bar"}));
@@ -303,6 +319,8 @@ Problem drawn_problem(Draws& draws) {
     case 21: return hinged(few);
     case 22: return mixed<PlaneBody>(few, draws.below(2));
     case 23: return mixed<SpaceBody>(few, draws.below(2));
+    case 24: return net<PlaneParticle>(draws.one_of({2, 3, 5}), draws.one_of({2, 3, 5, 8}), draws.below(2));
+    case 25: return net<SpaceParticle>(draws.one_of({2, 3, 5}), draws.one_of({2, 3, 5, 8}), draws.below(2));
     default: return Problem("chain", {{"links", links}}, model);
   }
 }
