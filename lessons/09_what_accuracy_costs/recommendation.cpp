@@ -226,7 +226,8 @@ std::string certainty(const byhand::Choice& choice, const std::map<Error, double
           : say(" That is **not yet certified**: with 95 % confidence more than @ % of such starts go well. It "
                 "would take @ starts to say 95 %, and each is a long run.",
                 Value(100 * std::pow(0.05, 1.0 / verified.starts), 2), certain);
-  return text + say(" @ runs were made; @.", choice.spent.runs, searched_in_words(choice));
+  return text + further_in_words(verified) +
+         say(" @ runs were made; @.", choice.spent.runs, searched_in_words(choice));
 }
 
 /// The limit that a run comes nearest to.

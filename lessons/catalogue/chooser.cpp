@@ -1,6 +1,7 @@
 #include "lessons/catalogue/chooser.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "lessons/catalogue/cheapest.hpp"
@@ -111,6 +112,7 @@ class Choosing {
     if (!choice_.reached) return choice_;
     coarsen();
     if (search_.tighter && !wish_.limits.empty()) tighten(kept);
+    choice_.at_its_bound = choice_.at_its_bound || work() > 0.9 * by_finer_;
     auto limits = wish_.limits;
     if (limits.empty()) limits[Error::drift] = 2 * choice_.best.point[Error::drift];
     choice_.margin = margin(problem_, choice_.best.point, limits, &choice_.spent, search_.most / 10);
@@ -137,10 +139,14 @@ class Choosing {
   Candidate found_by(Contest& contest, const Family& family, double bound, double most, Spent& spent) const;
   Candidate with_more_substeps(const Contest& contest, const Candidate& candidate, double until);
   Candidate found_again(Contest& contest, const Candidate& candidate, double until);
-  Verification counted(const Contest& contest, const Point& point);
+  struct Counted {
+    Verification verification;
+    std::optional<int> missed;  // number of the verification's start from which the wish was missed most
+  };
+  Counted counted(const Contest& contest, const Point& point);
   bool keeps_added(const Contest& contest, const Point& point);
   std::vector<Candidate> verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
-                                  double until);
+                                  double until, double until_first);
   std::vector<Candidate> verified_with_dearer();
   void recommend(const std::vector<Candidate>& kept);
   void tell_others(const std::vector<Candidate>& kept);
@@ -157,8 +163,8 @@ class Choosing {
   std::vector<std::size_t> quick_, exact_, rest_;
   const double most_of_one_ = search_.most / 20;
   // What may be spent by the end of each stage.
-  const double by_search_ = 0.4 * search_.most, by_verification_ = 0.55 * search_.most,
-               by_dearer_ = 0.65 * search_.most, by_robust_ = 0.8 * search_.most, by_finer_ = 0.95 * search_.most;
+  const double by_search_ = 0.4 * search_.most, by_verification_ = 0.5 * search_.most,
+               by_dearer_ = 0.55 * search_.most, by_robust_ = 0.75 * search_.most, by_finer_ = 0.95 * search_.most;
   Truths truths_;
   std::vector<Candidate> found_{all_.size()};                   // by method
   std::vector<char> settled_ = std::vector<char>(all_.size());  // of which the answer is known
@@ -247,7 +253,8 @@ Candidate Choosing::with_more_substeps(const Contest& contest, const Candidate& 
 }
 
 /// The same method's cheapest that also keeps the starts that were added since. A search watches a part of a run,
-/// so that it may not see why its candidate missed one: then that with more substeps.
+/// so that it may not see why its candidate missed one: then that with more substeps, for half
+/// as much again.
 Candidate Choosing::found_again(Contest& contest, const Candidate& candidate, double until) {
   const Family& family = *candidate.point.family;
   if (!contest.wish.limits.empty()) {
@@ -255,16 +262,33 @@ Candidate Choosing::found_again(Contest& contest, const Candidate& candidate, do
     const Candidate found = found_by(contest, family, bound, until - work(), choice_.spent);
     if (found.reached && found.point.cost > candidate.point.cost) return found;
   }
-  return with_more_substeps(contest, candidate, until);
+  return with_more_substeps(contest, candidate, std::max(until, work() + most_of_one_ / 2));
 }
 
-/// A run from each start of the verification until one fails.
-Verification Choosing::counted(const Contest& contest, const Point& point) {
-  const std::vector<Problem> starts = variations(problem_, contest.verified_from, of_verification);
-  const Verification verification = verify(starts, point, contest.wish, search_.side_by_side, true);
-  choice_.spent += {verification.starts, verification.starts * whole_work(problem_, point.cost) +
-                                             truths_.work(of_verification, verification.starts)};
-  return verification;
+/// A run from each start of the verification until one fails. Where true motions leave it few starts, what can be
+/// judged without them is from the rest.
+Choosing::Counted Choosing::counted(const Contest& contest, const Point& point) {
+  const auto run_from = [&](const std::vector<int>& numbers, const Wish& wish) {
+    const auto result =
+        verify(variations(problem_, numbers, of_verification), point, wish, search_.side_by_side, true);
+    choice_.spent += {result.starts, result.starts * whole_work(problem_, point.cost)};
+    return result;
+  };
+  Verification verification = run_from(contest.verified_from, contest.wish);
+  work() += truths_.work(of_verification, verification.starts);
+  if (!verification.kept())
+    return {verification, contest.verified_from[static_cast<std::size_t>(verification.worst)]};
+  const Wish rest = without_reference(contest.wish);
+  const int further_starts = count_of_starts(problem_, rest, point.cost, search_) - starts_;
+  if (rest.limits.size() == contest.wish.limits.size() || rest.limits.empty() || further_starts <= 0)
+    return {verification, {}};
+  std::vector<int> numbers(static_cast<std::size_t>(further_starts));
+  std::iota(numbers.begin(), numbers.end(), contest.next);
+  const Verification further = run_from(numbers, rest);
+  if (!further.kept()) return {further, numbers[static_cast<std::size_t>(further.worst)]};
+  verification.further = further.starts;
+  verification.excess = std::max(verification.excess, further.excess);
+  return {verification, {}};
 }
 
 /// Whether it keeps the wish from the starts, too, that others have missed: these are verified from no more, and a
@@ -277,10 +301,11 @@ bool Choosing::keeps_added(const Contest& contest, const Point& point) {
 }
 
 /// Of candidates that reach the wish the cheapest that keep it from all starts over the whole time, by their
-/// costs: as many as are wanted, and as are paid for until `until` instructions are spent. One that does not is
-/// looked for again, and so takes its place further back. `choice_.verified` becomes that of the first.
+/// costs: as many as are wanted, and as are paid for until `until` instructions are spent, the first one until
+/// `until_first`. One that does not is looked for again, and so takes its place further back. `choice_.verified`
+/// becomes that of the first.
 std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
-                                          double until) {
+                                          double until, double until_first) {
   std::vector<Candidate> kept;
   std::vector<int> misses(found.size());
   while (kept.size() < wanted) {
@@ -288,21 +313,21 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
     for (Candidate& candidate : found)
       if (candidate.reached && (!next || preferred(candidate, *next, contest.wish))) next = &candidate;
     if (!next) break;
-    if (work() > (kept.empty() ? std::max(until, by_robust_) : until)) {
+    if (work() > (kept.empty() ? std::max(until, until_first) : until)) {
       choice_.at_its_bound = true;
       break;
     }
-    const Verification verification = counted(contest, next->point);
-    if (verification.kept() && keeps_added(contest, next->point)) {
+    const auto [verification, missed] = counted(contest, next->point);
+    if (!missed && keeps_added(contest, next->point)) {
       if (kept.empty()) choice_.verified = verification;
       kept.push_back(*next);
       next->reached = false;
       continue;
     }
-    if (!verification.kept()) {
-      int& missed = contest.verified_from[static_cast<std::size_t>(verification.worst)];
-      contest.starts.push_back(problem_.variation(missed, of_verification));
-      missed = contest.next++;
+    if (missed) {
+      contest.starts.push_back(problem_.variation(*missed, of_verification));
+      contest.next = std::max(contest.next, *missed + 1);
+      std::ranges::replace(contest.verified_from, *missed, contest.next++);
     }
     *next = found_again(contest, *next, work() + most_of_one_);
     next->reached = next->reached && ++misses[next - found.data()] < most_attempts;
@@ -312,7 +337,7 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
 
 /// What keeps the wish; and where that is dearer than what was found, what was left out as too dear beside it.
 std::vector<Candidate> Choosing::verified_with_dearer() {
-  std::vector<Candidate> kept = verified(contest_, found_, most_answers, by_verification_);
+  std::vector<Candidate> kept = verified(contest_, found_, most_answers, by_verification_, by_robust_);
   if (wish_.limits.empty() || starts_ == 0 || work() >= by_verification_ ||
       (!kept.empty() && kept.front().point.cost <= 1.05 * cheapest_yet_))
     return kept;
@@ -321,7 +346,8 @@ std::vector<Candidate> Choosing::verified_with_dearer() {
   look(quick_, INFINITY, by_verification_), look(exact_, INFINITY, by_verification_);
   if (work() <= search_.enough) look(rest_, INFINITY, by_verification_);
   const Verification of_first = choice_.verified;
-  const std::vector<Candidate> more = verified(contest_, found_, most_answers, by_dearer_);
+  const std::vector<Candidate> more =
+      verified(contest_, found_, most_answers, by_dearer_, kept.empty() ? by_robust_ : by_dearer_);
   if (!kept.empty() && (more.empty() || !preferred(more.front(), kept.front(), wish_)))
     choice_.verified = of_first;
   kept.insert(kept.end(), more.begin(), more.end());
@@ -381,8 +407,8 @@ void Choosing::coarsen() {
     choice_.coarser = with_all_errors(*choice_.best.point.family, fewer);
     const double over = excess(*choice_.coarser, wish_.limits);
     if (wish_.limits.empty() || !(over <= 1) || work() > by_dearer_) return;
-    const Verification verification = counted(contest_, *choice_.coarser);
-    if (!verification.kept()) return;
+    const auto [verification, missed] = counted(contest_, *choice_.coarser);
+    if (missed) return;
     choice_.best = {true, *choice_.coarser, over};
     choice_.verified = verification;
   }
@@ -436,7 +462,7 @@ std::optional<Point> Choosing::tighter(double part, const std::vector<const Fami
       break;
   }
   const Verification of_best = choice_.verified;
-  const auto best = verified(tight, again, 1, until);
+  const auto best = verified(tight, again, 1, until, by_robust_);
   const Verification of_tight = std::exchange(choice_.verified, of_best);
   if (best.empty()) return {};
   const Point point = with_all_errors(*best.front().point.family, best.front().point.knobs);

@@ -5,6 +5,12 @@
 
 namespace byhand {
 
+std::string further_in_words(const Verification& verification) {
+  if (verification.further == 0) return {};
+  return " From " + std::to_string(verification.further) +
+         " further starts, whose true motions take too long to find, it kept all that can be judged without them.";
+}
+
 void one_after_another(int count, const std::function<void(int)>& work) {
   for (int i = 0; i < count; ++i) work(i);
 }

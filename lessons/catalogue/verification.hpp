@@ -22,10 +22,14 @@ struct Verification {
   double excess = 0;                     // the largest error of those over its limit; infinite where one failed
   int worst = 0;                         // the start from which it was so
   std::string first_failure = {};        // "a joint opened …"; empty if all are good
+  int further = 0;                       // starts from which only what needs no true motion was judged, and kept
 
   bool kept() const { return within == starts; }
   bool certified() const { return kept() && starts >= certain; }
 };
+
+/// " From 46 further starts it kept …"; empty where there are none.
+std::string further_in_words(const Verification& verification);
 
 /// Calls work(0) … work(count - 1), each once.
 using SideBySide = std::function<void(int count, const std::function<void(int)>& work)>;

@@ -19,10 +19,21 @@ void require_valid(const Problem& problem, const Wish& wish) {
   }
 }
 
+namespace {
+
+bool asks_for_reference(Error error) {
+  return needs_truth(error) || error == Error::contact || error == Error::algebraic;
+}
+
+}  // namespace
+
 bool asks_for_reference(const std::map<Error, double>& limits) {
-  return std::any_of(limits.begin(), limits.end(), [](const auto& one) {
-    return needs_truth(one.first) || one.first == Error::contact || one.first == Error::algebraic;
-  });
+  return std::ranges::any_of(limits, [](const auto& one) { return asks_for_reference(one.first); });
+}
+
+Wish without_reference(Wish wish) {
+  std::erase_if(wish.limits, [](const auto& one) { return asks_for_reference(one.first); });
+  return wish;
 }
 
 double excess(const Point& point, const std::map<Error, double>& limits) {

@@ -31,6 +31,9 @@ void require_valid(const Problem& problem, const Wish& wish);
 /// Whether what is known of the true motion is needed, which may take longer to find out than all runs.
 bool asks_for_reference(const std::map<Error, double>& limits);
 
+/// The wish with only those limits that can be judged without it.
+Wish without_reference(Wish wish);
+
 /// The largest error over its limit, of a trajectory with what is not known of the true one; infinite unless the
 /// run did its duty and has all these errors.
 double excess(const Point& point, const std::map<Error, double>& limits);

@@ -116,7 +116,9 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
         bad);
   for (const auto& [found, asked] : {std::pair{choice.robust.has_value(), "half of each limit"},
                                      {choice.finer.has_value(), "a tenth of each limit"}})
-    if (!found) page.text("No setting was found that keeps @ from all starts.", asked);
+    if (!found)
+      page.text("No setting was found that keeps @ from all starts@.", asked,
+                choice.at_its_bound ? ", within the time that the search takes" : "");
   if (const auto limit = request.limits.find(Error::trajectory); limit != request.limits.end()) {
     page.text("The true motion is known to @ m. That counts as error of the trajectory besides.",
               Value(std::max(least_told, choice.best.point.uncertainty), 2));
@@ -134,13 +136,13 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
   else
     page.text(
         "Run for @ s from @ starts (the file's own and others whose @ by up to a twentieth), the cheapest "
-        "kept what is asked in @@. @ runs were made.",
+        "kept what is asked in @@.@ @ runs were made.",
         Value(choice.verified.seconds, 3), choice.verified.starts, varied_in_words(request),
         choice.verified.within,
         choice.verified.certified()
             ? ": of such starts more than 95 % do, with 95 % confidence"
             : course::say(", where @ would have to before 95 % of such starts are certain", certain),
-        choice.spent.runs);
+        further_in_words(choice.verified), choice.spent.runs);
   if (const std::string margin = margin_in_words(choice, request); !margin.empty()) page.text("@", margin);
   page.clocked("chosen", "Time for 1/60 s on this machine.", [=] {
     renderer::Chart chart{.y = {.label = "time (µs)"}};

@@ -232,7 +232,7 @@ Ended refined(const AnyScene& start, double size, double time, double close, int
     if (factor > 0 && !fine.touched) now = extrapolated(coarse, fine, factor);
     if (now && last) change = farthest_apart(now->end.positions, last->end.positions);
     if (change && last_change) best = *now, uncertainty = std::max({*change, *last_change / 4, 0.01 * apart});
-    const bool hopeless = (substeps >= 32 && apart > 0.5 * size) || 4 * fine.cost > reference_cost;
+    const bool hopeless = (substeps >= 128 && apart > 0.5 * size) || 4 * fine.cost > reference_cost;
     cost += fine.cost;
     last = std::move(now), last_change = change, coarse = std::move(fine), before = {apart, before[0]},
     reached = substeps;
@@ -407,7 +407,8 @@ Request request_of(const SceneFile& file) {
              !(request.problem.reference().uncertainty < 0.25 * (error == Error::trajectory ? limit : scene.body)))
       request.notes.push_back(fmt::format(
           "The file limits the error of {}, but after {:.2g} s the true motion is known to {:.2g} m only, from "
-          "runs whose steps were halved as far as those may cost. So this limit is left out.",
+          "runs whose steps were halved for as long as that may cost and they came nearer. So this limit is left "
+          "out.",
           name, scene.time, request.problem.reference().uncertainty));
     else
       request.limits[error] = limit;

@@ -288,6 +288,23 @@ TEST(Chooser, KeepsWhatAFileAsksFor) {
   EXPECT_EQ(measure(request.problem, family_named("Jacobi"), {.passes = 4, .relaxation = 0.5}).outcome,
             Outcome::opened);
 }
+// The true motion of a block that slides takes as long as hundreds of runs.
+TEST(Chooser, JudgesFromAllStartsWhatNeedsNoTrueMotion) {
+  SceneFile file = course_scene("incline");
+  file.accuracy = {{"drift", 0.05}, {"trajectory", 0.05}};
+  const Request request = request_of(file);
+  Search search{.starts = 30, .verification = 1.3 * *request.problem.scene().reference_work, .tighter = false};
+  const Verification both = choose(request.problem, {.limits = request.limits}, search).verified;
+  EXPECT_EQ(both.starts, 6);
+  EXPECT_EQ(both.further, 24);
+  EXPECT_TRUE(both.kept());
+  EXPECT_THAT(further_in_words(both), HasSubstr("From 24 further starts"));
+  auto limits = request.limits;
+  limits.erase(Error::drift);
+  EXPECT_EQ(choose(request.problem, {.limits = limits}, search).verified.further, 0);
+  EXPECT_EQ(further_in_words({}), "");
+}
+
 TEST(Chooser, EndsWithWhatItHas) {
   SceneFile file = course_scene("ragdoll");
   file.accuracy = {{"drift", 1e-12}};  // which nothing reaches
