@@ -33,7 +33,8 @@ int main(int argc, char** argv) {
   std::vector<std::string> known{
       "Two engines can be compared only in the same scene, by the same measure and over the same time, each with "
       "its own settings tuned. Another time may rank them otherwise.",
-      "The error of a single joint that is solved to the end is that of its scheme, whoever wrote it."};
+      "Engines that share a scheme share the error of a single joint that is solved to the end, whoever wrote "
+      "them."};
   if (alone()) {
     known.emplace_back("With one engine only, this lesson shows how to measure, not who is better.");
   } else {

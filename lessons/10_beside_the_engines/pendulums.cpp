@@ -72,7 +72,7 @@ void by_scheme(Page& page, const Scene<M>& rod, const CompoundPendulum& exact) {
     }
   }
   page.text(
-      R"(The error of a single joint comes from the scheme, not from the engine. With four steps a frame for these:)");
+      R"(Engines that share a scheme share the error of a single joint that is solved to the end. With four steps a frame for these:)");
   page.table({"", "error of the angle"}, rows);
 }
 

@@ -117,12 +117,12 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
         rows.back().push_back(fate_of(all));
         undecided += fallen_of(all) > 0 && fallen_of(all) < std::ssize(all);
         sunk = standing.sunk;
-        if (standing.goes_on())
+        if (std::ranges::any_of(all, &Standing::goes_on))
           going_on.push_back(say("@ (@, @)", entrant.name, row == 0 ? "as shipped" : "as advised", one.name));
         if (entrant.name == ours_name)
           ours.insert(ours.end(), all.begin(), all.end());
         else
-          ++theirs, fallen += std::isfinite(standing.fell);
+          ++theirs, fallen += fallen_of(all) > 0;
       }
       rows.back().push_back(in_millimetres(std::max(sunk, 0.0)));
     }
@@ -141,11 +141,12 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
           ? std::string()
           : " " + page.verdict(
                       {{.when = Quantity("fallen", fallen) >= 1,
-                        .say = say("Of the engines' @ stacks in this table @ have fallen when @ s are over.",
-                                   theirs, fallen, stack_frames * frame)},
+                        .say =
+                            say("Of the engines' @ stacks in this table @ fall within @ s from some start or all.",
+                                theirs, fallen, stack_frames * frame)},
                        {.when = Quantity("fallen", fallen) < 1,
-                        .say = say("Of the engines' @ stacks in this table none has fallen when @ s are over.",
-                                   theirs, stack_frames * frame)}});
+                        .say = say("Of the engines' @ stacks in this table none falls within @ s.", theirs,
+                                   stack_frames * frame)}});
   const std::string hanging =
       undecided == 0 ? "" : say(" In @ of the table these starts decide.", several(undecided, "cell", "cells"));
   double most = 0;
@@ -159,7 +160,8 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
               fate_of_theirs, hanging,
               going_on.empty()
                   ? ""
-                  : say(" In the last second these still lean further than before: @.", listed(going_on)));
+                  : say(" In the last second these still lean further than before, from some start: @.",
+                        listed(going_on)));
   }
 
   const auto outcomes =

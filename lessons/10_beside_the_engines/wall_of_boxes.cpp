@@ -62,10 +62,12 @@ std::string least_as_advised(Page& page, const Field<M>& field,
     words += say("@@ (@)", words.empty() ? "" : "; ", name, listed(ahead));
   }
   const Quantity columns_ahead("columns in which an engine has less", columns_with);
-  return page.verdict({{.when = columns_ahead < 1,
-                        .say = "In this table, as advised, no engine has less than this course in any column."},
-                       {.when = columns_ahead >= 1,
-                        .say = say("In this table, as advised, less than this course has: @.", words)}});
+  return page.verdict(
+      {{.when = columns_ahead < 1,
+        .say =
+            "In this table, which is of one start, no engine as advised has less than this course in any column."},
+       {.when = columns_ahead >= 1,
+        .say = say("In this table, which is of one start, less than this course as advised has: @.", words)}});
 }
 
 /// Who has a box that still moves after settling, and how fast it is.

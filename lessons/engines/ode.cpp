@@ -185,7 +185,7 @@ void add_ode(std::vector<Engine>& all) {
   direct.in_plane = build<PlaneBody, false>, direct.in_space = build<SpaceBody, false>;
   direct.refusal = [](const Asked& asked) -> std::string {
     if (asked.boxes > 1)
-      return "piles: from some starts a straight stack of ten falls, and the time grows as the cube of the number "
+      return "piles: as shipped a straight stack of ten falls, and the time grows as the cube of the number "
              "of rows";
     return asked.pins > 60 ? "takes a time that grows as the cube of the number of rows" : "";
   };

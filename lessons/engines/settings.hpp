@@ -44,14 +44,14 @@ struct Setting {
 };
 
 /// Steps a frame that each engine is tried with; it may count them as substeps.
-inline constexpr std::array joint_steps{1, 2, 4, 8, 16, 32};
+inline constexpr std::array joint_steps{1, 2, 3, 4, 8, 16, 32};
 inline constexpr std::array contact_steps{1, 2, 4, 8};
 /// Iterations a frame that an iterative engine is tried with.
 inline constexpr std::array joint_iterations{32, 128, 512, 2048};
 inline constexpr std::array contact_iterations{32, 128};
 
 /// Substeps a frame of an engine whose substep is its iteration.
-inline constexpr std::array substeps_of_joints{1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048};
+inline constexpr std::array substeps_of_joints{1, 2, 3, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048};
 inline constexpr std::array substeps_of_contacts{1, 2, 4, 8, 16, 32, 64, 128};
 
 /// Steps a frame and iterations in each.

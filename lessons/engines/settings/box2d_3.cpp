@@ -3,7 +3,7 @@
 // Box2D 3. Knobs: substeps (4); joint hertz (60) and joint damping (2), constraintHertz and constraintDampingRatio
 // of b2JointDef; contact hertz (30) and contact damping (10) of b2WorldDef. Joints are no stiffer than a quarter
 // of the rate of substeps and contacts than an eighth, which is where both stand at four substeps of 1/60 s:
-// without their hertz, more substeps buy nothing. A substep is one sweep, so that as many are tried as other
+// without their hertz, more substeps buy little. A substep is one sweep, so that as many are tried as other
 // engines are given iterations.
 namespace byhand::engines {
 
