@@ -12,10 +12,12 @@
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
+#include "solver/constraints/hinge.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/rope.hpp"
+#include "solver/constraints/slider.hpp"
 #include "solver/constraints/spring.hpp"
 #include "tests/solver/solving.hpp"
 
@@ -129,6 +131,21 @@ TEST(Body, MustBeSomewhereFiniteWithAMassThatIsPositiveOrNone) {
   turned.rotation.coeffs() << nan, 0, 0, 1;
   space.refuses("squared length of the rotation is nan", "1",
                 [&] { space.scene.add_body(turned, ball<SpaceBody>(1, 1)); });
+}
+
+TEST(Constraint, RefusesDirectionsThatAreNotOrthonormal) {
+  Subject<SpaceBody> subject;
+  auto& scene = subject.scene;
+  Hinge<SpaceBody> hinge{{0, 1}};
+  hinge.across.col(0) *= 1.1;
+  subject.refuses("distance of the directions across the hinge from orthonormal is", "between 0 and",
+                  [&] { scene.add(hinge); });
+  Slider<SpaceBody> slider{{0, 1}}, turned = slider;
+  slider.across.col(0) *= 1.1;
+  subject.refuses("distance of the directions across the slider from orthonormal is", "between 0 and",
+                  [&] { scene.add(slider); });
+  turned.right.rest.coeffs() *= 1.1;
+  subject.refuses("squared length of the rotation is 1.21", "1", [&] { scene.add(turned); });
 }
 
 TEST_IN_ALL_MODELS(Constraint, MustJoinTwoBodiesOfTheScene) {

@@ -325,4 +325,16 @@ TEST(Generalised, NoticesThatTheSceneHasChanged) {
   EXPECT_THROW(simulation.step(h), std::invalid_argument);
 }
 
+// Along a rod nothing can move, so that a velocity along it is none of the joint's.
+TEST(Generalised, LeavesOutAVelocityAlongARod) {
+  using M = SpaceParticle;
+  Scene<M> scene;
+  scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  scene.add_body(Linear<M>(0.6, 0.8, 0), with_mass<M>(2), {0.4, -0.3, 0.7});
+  scene.add(NormalisedDistance<M>{{0, 1}, 1});
+  Scene<M> pulled = scene;
+  pulled.state().velocity[1] += 3 * Velocity<M>(0.6, 0.8, 0);
+  EXPECT_LT(apart(after(scene, rk4, 0.5, h), after(pulled, rk4, 0.5, h)), 1e-12);
+}
+
 }  // namespace generalised_test

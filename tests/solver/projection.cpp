@@ -104,6 +104,7 @@ TEST(Projection, RefusesChoicesOutsideTheirRange) {
   };
   refuses({.sweeps = 0}, "number of projection sweeps is 0, but it must be at least 1");
   refuses({.share = 0}, "share of the projection is 0, but it must be above 0 and at most 1");
+  refuses({.share = 1.5}, "share of the projection is 1.5, but it must be above 0 and at most 1");
   refuses({.slop = -1}, "slop is -1, but it must be between 0 and");
 }
 
