@@ -329,10 +329,7 @@ void chains(const Setting& setting, Page& page) {
         out.push_back(say("@ of the @: it @", engine.name, name, why));
     for (const Entrant<M>& entrant : field_of(starts[0], Kind::joints, From::home, 0).entrants) {
       Spread gap{INFINITY, 0};
-      for (const Scene<M>& start : starts) {
-        const double one = hang<M>(entrant.settings[1], start, long_enough).gap;
-        gap = {std::min(gap.least, one), larger(gap.most, one)};
-      }
+      for (const Scene<M>& start : starts) gap.add(hang<M>(entrant.settings[1], start, long_enough).gap);
       auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r[0] == entrant.name; });
       if (row == rows.end()) rows.push_back({entrant.name}), row = rows.end() - 1;
       row->resize(o + 1, "–");

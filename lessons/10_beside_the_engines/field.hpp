@@ -88,6 +88,11 @@ inline double told(double error, double least = margin) { return std::max(error,
 /// An error from several starts.
 struct Spread {
   double least = INFINITY, most = INFINITY;
+
+  void add(double error) {
+    least = std::min(least, error);
+    most = std::isfinite(error) ? std::max(most, error) : INFINITY;
+  }
 };
 
 /// One number of each setting of an entrant, the less the better; infinite where it failed.
@@ -135,11 +140,8 @@ void add_spreads(const Field<M>& field, S&& nearby, std::vector<Errors>& all, F&
     tried.resize(std::min(tried.size(), 2 + most_tried));
     for (const std::size_t j : tried) {
       Spread spread{errors.by_setting[j], errors.by_setting[j]};
-      for (int way = 0; way < ways && std::isfinite(spread.most); ++way) {
-        const double error = error_of(field.entrants[i].settings[j], nearby(way));
-        spread.least = std::min(spread.least, error);
-        spread.most = std::isfinite(error) ? std::max(spread.most, error) : INFINITY;
-      }
+      for (int way = 0; way < ways && std::isfinite(spread.most); ++way)
+        spread.add(error_of(field.entrants[i].settings[j], nearby(way)));
       errors.spreads[j] = spread;
     }
   }

@@ -253,8 +253,7 @@ Candidate Choosing::with_more_substeps(const Contest& contest, const Candidate& 
 }
 
 /// The same method's cheapest that also keeps the starts that were added since. A search watches a part of a run,
-/// so that it may not see why its candidate missed one: then that with more substeps, for half
-/// as much again.
+/// so that it may not see why its candidate missed one: then that with more substeps, for half as much again.
 Candidate Choosing::found_again(Contest& contest, const Candidate& candidate, double until) {
   const Family& family = *candidate.point.family;
   if (!contest.wish.limits.empty()) {
