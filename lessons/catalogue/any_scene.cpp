@@ -10,7 +10,7 @@
 #include "solver/constraints/contact_manifold.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
-#include "solver/direct/equations.hpp"
+#include "solver/direct/newton_work.hpp"
 #include "solver/measure.hpp"
 
 namespace byhand {
@@ -173,8 +173,11 @@ Effort AnyScene::effort() const {
           if constexpr (M::angular > 0) effort.computed_pairs = work.contacts.computed();
         },
         running.work);
-    if (const auto* work = std::get_if<AnyStepping::Work<M>>(&running.work))
+    if (const auto* work = std::get_if<AnyStepping::Work<M>>(&running.work)) {
       if (const auto* direct = std::any_cast<DirectWork<M>>(&work->solver)) effort.planned = direct->planned;
+      if (const auto* by_graph = std::any_cast<ByGraphWork<M>>(&work->solver))
+        effort.planned = by_graph->direct.planned;
+    }
   };
   std::visit(add, running_->one);
   return effort;

@@ -142,12 +142,12 @@ Solution solve_loops(Direct solver, System<M>& system, Bodies<M>& bodies, ByGrap
   try {
     return solver.solve(system, bodies, work.direct, begin);
   } catch (const SingularSystem&) {
-    solver.smallest_pivot = 0;
-    solver.regularisation = std::max(solver.regularisation, share);
+    solver.smallest_pivot = 0, solver.regularisation = std::max(solver.regularisation, share);
     const double speed = fastest(system, bodies.velocity);
     Solution solution = solver.solve(system, bodies, work.direct, begin);
     const Demand rows = demand(system, bodies, work.newton);
     solution.converged = solution.converged && rows.left_of_unbounded <= unmet * larger(speed, rows.of_all);
+    solution += {.passes = 1, .rounds = 1, .row_solves = solution.row_solves / solution.rounds};  // in vain
     return solution;
   }
 }

@@ -98,7 +98,7 @@ std::array<bool, counts> paid_by(std::string_view part, bool solves_rows) {
   if (part == "stepping") return {0, 1, 0, 0, 0, 0, 1, 1, 1, 1, 1, 0, 1};
   if (!solves_rows) return {1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1};
   if (std::any_of(priced().begin(), priced().end(), [&](const Family& one) { return one.name == part; }))
-    return {1, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, part == "direct"};
+    return {1, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, part == "direct" || part == "by graph"};
   return {1, 0, 0, 0, 0, 1, 1, 1, 0, 1, 0, 0};  // a cure
 }
 
@@ -158,11 +158,11 @@ Problem ropes(int links) {
   return uncatalogued("ropes", scene);
 }
 
-/// A chain of links that swing about one axis each.
-Problem hinged(int links) {
+/// A chain of links that swing about one axis each, held at its first or floating.
+Problem hinged(int links, bool held) {
   using M = SpaceBody;
   Scene<M> scene;
-  scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  scene.add_body(Linear<M>(Linear<M>::Zero()), held ? fixed<M>() : box<M>(2, {1, 0.1, 0.2}));
   for (int i = 1; i <= links; ++i) {
     scene.add_body(Linear<M>((i - 0.5) * Linear<M>::UnitX()), box<M>(1 + i % 2, {1, 0.1, 0.2}));
     const Linear<M> axis = Linear<M>(0, 0.3 * (i % 3), 1).normalized();
@@ -316,7 +316,7 @@ Problem drawn_problem(Draws& draws) {
     case 18: return ragdolls(draws.one_of({1, 1, 2, 5}), draws.one_of({0.02, 0.5}));
     case 19: return fallen_chain<PlaneBody>(draws.one_of({2, 3, 5, 10}), draws.one_of({0.0, 0.1}), draws.below(2));
     case 20: return fallen_chain<SpaceBody>(draws.one_of({2, 3, 5}), draws.one_of({0.0, 0.1}), draws.below(2));
-    case 21: return hinged(few);
+    case 21: return hinged(few, draws.below(2));
     case 22: return mixed<PlaneBody>(few, draws.below(2));
     case 23: return mixed<SpaceBody>(few, draws.below(2));
     case 24: return net<PlaneParticle>(draws.one_of({2, 3, 5}), draws.one_of({2, 3, 5, 8}), draws.below(2));
