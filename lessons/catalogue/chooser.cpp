@@ -1,7 +1,10 @@
 #include "lessons/catalogue/chooser.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <set>
+#include <span>
 #include <utility>
 
 #include "lessons/catalogue/cheapest.hpp"
@@ -29,18 +32,17 @@ class Truths {
  public:
   Truths(const Problem& problem, const Wish& wish) : problem_(problem), wish_(wish) {}
 
-  /// Of the first `starts` of a seed, those that are new.
-  double work(int seed, int starts) {
-    int& known = known_[seed];
-    const int more = std::max(0, starts - known);
-    known += more;
-    return more * work_of_truth(problem_, wish_);
+  /// Of a seed's starts of these numbers, those that are new.
+  double work(int seed, std::span<const int> numbers) {
+    const auto fresh =
+        std::ranges::count_if(numbers, [&](int number) { return known_.emplace(seed, number).second; });
+    return static_cast<double>(fresh) * work_of_truth(problem_, wish_);
   }
 
  private:
   const Problem& problem_;
   const Wish& wish_;
-  std::map<int, int> known_;
+  std::set<std::pair<int, int>> known_;  // seed and number
 };
 
 /// From how many starts beside the scene's own what a search finds has to reach the wish.
@@ -92,8 +94,9 @@ class Choosing {
  public:
   Choosing(const Problem& problem, const Wish& wish, const Search& search)
       : problem_(problem), wish_(wish), search_(search), truths_(problem, wish) {
-    const int others = other_starts(problem, wish, search);
-    for (int start = 1; start <= others; ++start) first_starts_.push_back(problem.variation(start, of_search));
+    std::vector<int> others(static_cast<std::size_t>(other_starts(problem, wish, search)));
+    std::iota(others.begin(), others.end(), 1);
+    for (const int start : others) first_starts_.push_back(problem.variation(start, of_search));
     contest_.starts = first_starts_;
     choice_.spent.work += truths_.work(of_search, others);
     choice_.limit = limit_of(problem);
@@ -274,7 +277,7 @@ Choosing::Counted Choosing::counted(const Contest& contest, const Point& point) 
     return result;
   };
   Verification verification = run_from(contest.verified_from, contest.wish);
-  work() += truths_.work(of_verification, verification.starts);
+  work() += truths_.work(of_verification, std::span(contest.verified_from).first(verification.starts));
   if (!verification.kept())
     return {verification, contest.verified_from[static_cast<std::size_t>(verification.worst)]};
   const Wish rest = without_reference(contest.wish);
@@ -313,7 +316,7 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
       if (candidate.reached && (!next || preferred(candidate, *next, contest.wish))) next = &candidate;
     if (!next) break;
     if (work() > (kept.empty() ? std::max(until, until_first) : until)) {
-      choice_.at_its_bound = true;
+      choice_.at_its_bound = choice_.at_its_bound || kept.empty();
       break;
     }
     const auto [verification, missed] = counted(contest, next->point);
@@ -325,6 +328,7 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
     }
     if (missed) {
       contest.starts.push_back(problem_.variation(*missed, of_verification));
+      work() += truths_.work(of_verification, std::array{*missed});
       contest.next = std::max(contest.next, *missed + 1);
       std::ranges::replace(contest.verified_from, *missed, contest.next++);
     }
