@@ -119,7 +119,8 @@ Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>&
              !within(std::max(time(point), quickest_other->seconds.least), equal_errors * point.error);
     });
   };
-  const auto quicker = best([&](const Point& point) { return !within(slow(point), INFINITY); });
+  const auto quicker =
+      best([&](const Point& point) { return !within(equal_times * point.seconds.least, INFINITY); });
   if (const auto point = beats(slow)) return {Rank::ahead, *point, quicker};
   if (const auto point = beats(seconds)) return {Rank::level, *point, quicker};
   return {.quicker = quicker};

@@ -77,7 +77,8 @@ enum class Rank { behind, level, ahead };
 struct Beside {
   Rank rank = Rank::behind;
   Point point = {};  // of those that are ahead, or level, the one with the least error
-  // Of those, too, that are quicker than every run of the other, whose slowest round and a tenth counts.
+  // Of those, too, that are quicker than every run of the other, by their quickest rounds and a tenth: what else
+  // the machine does makes a round slower, never quicker.
   std::optional<Point> quicker = {};
 };
 Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>& others);

@@ -329,8 +329,9 @@ TEST(Contest, ComparesErrorsAtATimeWithinWhichBothHaveARun) {
   EXPECT_EQ(beside({quick, as_good}).quicker->seconds.least, 0.5);
   EXPECT_EQ(beside({{{0.5, 0.9}, 1e-3}}).rank, Rank::ahead) << "quicker than ours with more error";
   EXPECT_EQ(beside({no_slower}).rank, Rank::ahead) << "ours may be as fast";
-  EXPECT_EQ(beside({{{0.9, 1.1}, 1}}).rank, Rank::behind);
-  EXPECT_FALSE(beside({{{0.9, 1.1}, 1}}).quicker) << "nor is it quicker then";
+  EXPECT_EQ(beside({{{0.95, 1.1}, 1}}).rank, Rank::behind);
+  EXPECT_FALSE(beside({{{0.95, 1.1}, 1}}).quicker) << "nor is it quicker: times within a tenth are equal";
+  EXPECT_TRUE(beside({{{0.9, 1.5}, 1}}).quicker) << "one slow round is the machine's";
   EXPECT_EQ(beside({quick, good}).rank, Rank::ahead);
   EXPECT_EQ(beside({quick, good}).point.seconds.least, 4) << "and from there on";
   EXPECT_EQ(at_equal_time(ours, {quick}).rank, Rank::ahead) << "the same from the other side";
