@@ -57,6 +57,7 @@ struct Hung {
   double gap = 0;     // the largest of a pin [m]
   double off = 0;     // when compared, of the link that is farthest from where it belongs [m]
   double gained = 0;  // the largest change of the energy, up or down, over what gravity could do over its reach
+  double time = 0;    // of its end [s]
 };
 
 template <class M>
@@ -74,13 +75,14 @@ Hung hang(const Contestant<M>& contestant, const Scene<M>& scene, int frames,
         hung.off = larger(hung.off, (seen.bodies().pose[i + 1].position.template head<2>() - exact[i]).norm());
     const double gained = (energy(seen) - energy(scene)) / scale;
     hung.gained = farther(hung.gained, gained);
+    hung.time = time;
     if (!(hung.gap < 1))
       hung.end = Hung::End::parted;
     else if (!(gained < most_gained))
       hung.end = Hung::End::exploded;
     return hung.end == Hung::End::held;
   });
-  return hung.end == Hung::End::held ? hung : Hung{hung.end, INFINITY, INFINITY, INFINITY};
+  return hung.end == Hung::End::held ? hung : Hung{hung.end, INFINITY, INFINITY, INFINITY, hung.time};
 }
 
 /// The largest gaps, of both rows and of what is near the best from starts nearby, too.
@@ -94,14 +96,16 @@ std::vector<Errors> gaps_of(const Field<M>& field, const std::vector<Outcomes<Hu
   return gaps;
 }
 
-/// How those failed that did, as shipped and as advised.
+/// How and when those failed that did, as shipped and as advised.
 std::string failures(const std::vector<Outcomes<Hung>>& all) {
   std::vector<std::string> parted, exploded;
   for (const Outcomes<Hung>& one : all)
     for (const std::size_t row : {0, 1}) {
-      const std::string name = say("@ as @", one.name, row == 0 ? "shipped" : "advised");
-      if (one.by_setting[row].end == Hung::End::parted) parted.push_back(name);
-      if (one.by_setting[row].end == Hung::End::exploded) exploded.push_back(name);
+      const Hung& hung = one.by_setting[row];
+      const std::string name =
+          say("@ as @ after @ s", one.name, row == 0 ? "shipped" : "advised", Value(hung.time, 3));
+      if (hung.end == Hung::End::parted) parted.push_back(name);
+      if (hung.end == Hung::End::exploded) exploded.push_back(name);
     }
   std::string words;
   if (!parted.empty()) words += say("A pin opened by a link: @. ", listed(parted));

@@ -147,7 +147,8 @@ void compare_by_time(Page& page, const std::string& name, const std::string& cap
     page.clocked(
         name,
         say(R"(@ Of each engine's settings those are drawn that none of its own beats in both, without those
-                     that failed; its line joins them, whichever knob differs. A time is the least of @ rounds.)",
+                     that failed; its line joins them, whichever knob differs. A time is the least of @ rounds. Two
+                     are compared at times that leave both a run.)",
             caption, rounds),
         chart);
 }
