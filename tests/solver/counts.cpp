@@ -92,4 +92,18 @@ TEST(Counts, OfSolvesAddUp) {
   EXPECT_EQ(sum.row_solves, 33);
 }
 
+// A bob between two fixed points has two rods that say the same of it.
+TEST(Counts, OfALoopWhoseRowsRepeatHaveTheSolveInVain) {
+  using P = PlaneParticle;
+  Scene<P> scene;
+  for (const double x : {0.0, 1.0, 2.0}) scene.add_body(Linear<P>(x, 0), x == 1 ? with_mass<P>(1) : fixed<P>());
+  for (const int fixed : {0, 2}) scene.add(Distance<P>{{fixed, 1}, 1});
+  Simulation<P> simulation{scene, {ByGraph{}}};
+  simulation.step(1.0 / 60);
+  EXPECT_EQ(simulation.work.solution.rounds, 2);
+  EXPECT_EQ(simulation.work.executed.passes, 1);
+  EXPECT_EQ(simulation.work.row_solves % 2, 0);
+  EXPECT_GT(simulation.work.row_solves, 0);
+}
+
 }  // namespace counts_test
