@@ -158,7 +158,7 @@ Problem ropes(int links) {
   return uncatalogued("ropes", scene);
 }
 
-/// A chain of links that swing about one axis each, held at its first or floating.
+/// A chain of links that swing about one axis each, held at its first or floating and turning.
 Problem hinged(int links, bool held) {
   using M = SpaceBody;
   Scene<M> scene;
@@ -168,6 +168,7 @@ Problem hinged(int links, bool held) {
     const Linear<M> axis = Linear<M>(0, 0.3 * (i % 3), 1).normalized();
     scene.add(hinge(scene.bodies(), i - 1, i, Linear<M>((i - 1.0) * Linear<M>::UnitX()), axis));
   }
+  if (!held) scene.state().velocity[0].tail<M::angular>() = Angular<M>(1, 2, 3);
   return uncatalogued("hinges", scene);
 }
 
@@ -190,20 +191,27 @@ Problem mixed(int links, bool sprung) {
   return uncatalogued("mixed joints", scene);
 }
 
-/// A net of rods or springs that hangs by two corners: what a direct solve eliminates has loops.
+/// A net of rods or springs that hangs by two corners; braced by one, with a rod across each mesh. What a direct
+/// solve eliminates has loops.
 template <class M>
-Problem net(int width, int height, bool sprung) {
+Problem net(int width, int height, bool sprung, bool braced) {
   Scene<M> scene;
   for (int i = 0; i < width * height; ++i)
     scene.add_body(Linear<M>((i % width) * Linear<M>::Unit(0) - (i / width) * Linear<M>::Unit(1)),
-                   i == 0 || i == width - 1 ? fixed<M>() : with_mass<M>(1 + i % 2));
-  for (int i = 0; i < width * height; ++i)
-    for (const int other : {i % width > 0 && (i >= width || width > 2) ? i - 1 : -1, i - width})
-      if (other >= 0 && sprung)
-        scene.add(Spring<M>{{other, i}, 1, {200, 1}});
-      else if (other >= 0)
-        scene.add(Distance<M>{{other, i}, 1});
-  return uncatalogued("net", scene);
+                   i == 0 || (i == width - 1 && !braced) ? fixed<M>() : with_mass<M>(1 + i % 2));
+  const auto tie = [&](int i, int other, double length) {
+    if (sprung)
+      scene.add(Spring<M>{{other, i}, length, {200, 1}});
+    else
+      scene.add(Distance<M>{{other, i}, length});
+  };
+  for (int i = 0; i < width * height; ++i) {
+    const bool below = i >= width, right = i % width > 0;
+    if (right && (below || width > 2 || braced)) tie(i, i - 1, 1);
+    if (below) tie(i, i - width, 1);
+    if (below && right && braced) tie(i, i - width - 1, std::sqrt(2.0));
+  }
+  return uncatalogued(braced ? "truss" : "net", scene);
 }
 
 /// The turn of a link of a chain in the plane x, y against the one before it.
@@ -283,6 +291,13 @@ Problem thrown(int count) {
   return uncatalogued("thrown bodies", scene);
 }
 
+template <class M>
+Problem drawn_net(Draws& draws) {
+  const int width = draws.one_of({2, 3, 5}), height = draws.one_of({2, 3, 5, 8});
+  const auto kind = draws.below(4);
+  return net<M>(width, height, kind % 2 == 1, kind >= 2);
+}
+
 Problem drawn_problem(Draws& draws) {
   const std::string model = bob_models[draws.below(6)];
   const double links = draws.one_of({1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0});
@@ -319,8 +334,8 @@ Problem drawn_problem(Draws& draws) {
     case 21: return hinged(few, draws.below(2));
     case 22: return mixed<PlaneBody>(few, draws.below(2));
     case 23: return mixed<SpaceBody>(few, draws.below(2));
-    case 24: return net<PlaneParticle>(draws.one_of({2, 3, 5}), draws.one_of({2, 3, 5, 8}), draws.below(2));
-    case 25: return net<SpaceParticle>(draws.one_of({2, 3, 5}), draws.one_of({2, 3, 5, 8}), draws.below(2));
+    case 24: return drawn_net<PlaneParticle>(draws);
+    case 25: return drawn_net<SpaceParticle>(draws);
     default: return Problem("chain", {{"links", links}}, model);
   }
 }
