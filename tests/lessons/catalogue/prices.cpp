@@ -134,8 +134,9 @@ Problem falling(int count) {
   Scene<M> scene;
   add_ground(scene);
   for (int i = 0; i < count; ++i) {
+    const int level = i / 3;
     Pose<M> pose;
-    pose.position = (i % 3 - 1.0) * 1.3 * Linear<M>::Unit(0) + (0.75 + 1.4 * (i / 3)) * Linear<M>::Unit(1);
+    pose.position = (i % 3 - 1.0) * 1.3 * Linear<M>::Unit(0) + (0.75 + 1.4 * level) * Linear<M>::Unit(1);
     if constexpr (M::linear == 2)
       pose.rotation = plane_rotation(0.3 + 0.7 * i);
     else
@@ -196,9 +197,11 @@ Problem mixed(int links, bool sprung) {
 template <class M>
 Problem net(int width, int height, bool sprung, bool braced) {
   Scene<M> scene;
-  for (int i = 0; i < width * height; ++i)
-    scene.add_body(Linear<M>((i % width) * Linear<M>::Unit(0) - (i / width) * Linear<M>::Unit(1)),
+  for (int i = 0; i < width * height; ++i) {
+    const int level = i / width;
+    scene.add_body(Linear<M>((i % width) * Linear<M>::Unit(0) - level * Linear<M>::Unit(1)),
                    i == 0 || (i == width - 1 && !braced) ? fixed<M>() : with_mass<M>(1 + i % 2));
+  }
   const auto tie = [&](int i, int other, double length) {
     if (sprung)
       scene.add(Spring<M>{{other, i}, length, {200, 1}});
