@@ -120,7 +120,9 @@ class Problem {
   AnyScene start() const { return scene_->make(*this); }
   /// When trajectory and reaction are held against the reference [s]: at scene().time, but of a chaotic scene
   /// within its Lyapunov time.
-  double compared_at() const { return std::round(reference().time / frame) * frame; }
+  double compared_at() const {
+    return std::round((scene_->chaotic ? reference().time : scene_->time) / frame) * frame;
+  }
   /// What its run is held against then; worked out when first asked for, once for all copies.
   const Reference& reference() const;
 

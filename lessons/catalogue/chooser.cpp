@@ -12,8 +12,9 @@
 namespace byhand {
 namespace {
 
-constexpr int most_attempts = 12;  // to find a candidate's choices that keep the wish from all starts
+constexpr int most_searches = 10;  // for choices that also keep a start that was missed; then by more substeps
 constexpr double worth = 1.5;      // times the cheapest: what costs more is not looked for
+constexpr double hopeless = 1e13;  // instructions a frame
 // The seeds of the starts of verifications, and of those that a search holds what it finds against.
 constexpr int of_verification = 1, of_search = 1000;
 constexpr std::size_t most_answers = 3;  // the recommended one and its runners-up
@@ -82,11 +83,17 @@ Candidate most_accurate(const Problem& problem, const Family& family, const Wish
 /// verification from which a choice missed it. In the verification others take their place.
 struct Contest {
   Wish wish;
-  std::vector<Problem> starts;
+  std::vector<Problem> starts = {};
+  std::size_t added_from = 0;           // place of the first of the verification among them
   std::vector<int> verified_from = {};  // numbers of the verification's starts
   int next = 0;                         // number
+  int left_out = 0;                     // of the verification, as the true motion is not well known
   std::vector<std::vector<Known>> known = std::vector<std::vector<Known>>(families().size());  // by method, start
 };
+
+bool well_known(const Problem& start, const Wish& wish) {
+  return !wish.limits.contains(Error::trajectory) || well_known(start.reference().uncertainty, wish.limits);
+}
 
 /// The choice of one wish: all methods are searched, what they found is verified from other starts, and what is
 /// recommended is set beside its neighbours.
@@ -97,7 +104,10 @@ class Choosing {
     std::vector<int> others(static_cast<std::size_t>(other_starts(problem, wish, search)));
     std::iota(others.begin(), others.end(), 1);
     for (const int start : others) first_starts_.push_back(problem.variation(start, of_search));
-    contest_.starts = first_starts_;
+    if (asks_for_reference(wish.limits))
+      search.side_by_side(static_cast<int>(first_starts_.size()),
+                          [&](int i) { first_starts_[static_cast<std::size_t>(i)].reference(); });
+    begin(contest_);
     choice_.spent.work += truths_.work(of_search, others);
     choice_.limit = limit_of(problem);
     for (std::size_t i = 0; i < all_.size(); ++i)
@@ -109,12 +119,12 @@ class Choosing {
 
   Choice made() {
     search_all();
-    std::vector<Candidate> kept = verified_with_dearer();
-    recommend(kept);
-    tell_others(kept);
+    kept_ = verified_with_dearer();
+    recommend();
+    tell_others();
     if (!choice_.reached) return choice_;
     coarsen();
-    if (search_.tighter && !wish_.limits.empty()) tighten(kept);
+    if (search_.tighter && !wish_.limits.empty()) tighten();
     choice_.at_its_bound = choice_.at_its_bound || work() > 0.9 * by_finer_;
     auto limits = wish_.limits;
     if (limits.empty()) limits[Error::drift] = 2 * choice_.best.point[Error::drift];
@@ -137,24 +147,28 @@ class Choosing {
     return whole_run(problem_, family, knobs, wish_, search_.all_errors);
   }
 
+  void begin(Contest& contest) const;
   void look(std::vector<std::size_t> which, double most, double until);
+  void look_at_all(double until);
   void search_all();
   Candidate found_by(Contest& contest, const Family& family, double bound, double most, Spent& spent) const;
-  Candidate with_more_substeps(const Contest& contest, const Candidate& candidate, double until);
-  Candidate found_again(Contest& contest, const Candidate& candidate, double until);
+  Candidate with_more_substeps(const Contest& contest, const Candidate& candidate, int first, int last,
+                               double until);
+  Candidate found_again(Contest& contest, const Candidate& candidate, int misses, double until);
   struct Counted {
     Verification verification;
     std::optional<int> missed;  // number of the verification's start from which the wish was missed most
   };
-  Counted counted(const Contest& contest, const Point& point);
+  Counted counted(Contest& contest, const Point& point);
   bool keeps_added(const Contest& contest, const Point& point);
   std::vector<Candidate> verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
                                   double until, double until_first);
   std::vector<Candidate> verified_with_dearer();
-  void recommend(const std::vector<Candidate>& kept);
-  void tell_others(const std::vector<Candidate>& kept);
+  void recommend();
+  Candidate nearest();
+  void tell_others();
   void coarsen();
-  void tighten(const std::vector<Candidate>& kept);
+  void tighten();
   std::optional<Point> tighter(double share, const std::vector<const Family*>& able, double until,
                                double bound = INFINITY);
 
@@ -172,11 +186,19 @@ class Choosing {
   std::vector<Candidate> found_{all_.size()};                   // by method
   std::vector<char> settled_ = std::vector<char>(all_.size());  // of which the answer is known
   std::vector<Problem> first_starts_{problem_};
-  Contest contest_{wish_, {}};
+  Contest contest_{.wish = wish_};
+  std::vector<Candidate> kept_;  // what keeps the wish from all starts, by cost
   double cheapest_yet_ = INFINITY;
   int starts_ = 0;  // of each verification
   Choice choice_;
 };
+
+/// The scene's own start and others whose true motions can judge a run of its wish.
+void Choosing::begin(Contest& contest) const {
+  for (const Problem& start : first_starts_)
+    if (contest.starts.empty() || well_known(start, contest.wish)) contest.starts.push_back(start);
+  contest.added_from = contest.starts.size();
+}
 
 /// All of these methods that have not reached the wish yet, at a cost of at most `most` a frame, until `until`
 /// instructions are spent.
@@ -203,10 +225,15 @@ void Choosing::look(std::vector<std::size_t> which, double most, double until) {
     if (found_[at].reached) cheapest_yet_ = std::min(cheapest_yet_, found_[at].point.cost);
 }
 
+/// All methods at what is little dearer than the cheapest yet.
+void Choosing::look_at_all(double until) {
+  look(quick_, INFINITY, until), look(exact_, INFINITY, until);
+  if (work() <= search_.enough) look(rest_, INFINITY, until);
+}
+
 /// Dearer ways are tried where no cheaper one does. Methods that solve exactly have few choices, so that their
 /// search goes on when that of all others has cost enough.
 void Choosing::search_all() {
-  constexpr double hopeless = 1e13;  // instructions a frame
   const double rows = std::max(1, problem_.start().degrees_of_freedom());
   double level = wish_.limits.empty() ? INFINITY : 1000 * rows * choice_.limit.substeps;
   for (;; level *= 2.5) {
@@ -234,8 +261,10 @@ Candidate Choosing::found_by(Contest& contest, const Family& family, double boun
                   &contest.known[static_cast<std::size_t>(&family - all_.data())]);
 }
 
-/// A candidate with so few more substeps that it keeps all of the contest's starts over the whole time.
-Candidate Choosing::with_more_substeps(const Contest& contest, const Candidate& candidate, double until) {
+/// A candidate with so few more substeps, from `first` to `last` sixteenths more, that it keeps all of the
+/// contest's starts over the whole time.
+Candidate Choosing::with_more_substeps(const Contest& contest, const Candidate& candidate, int first, int last,
+                                       double until) {
   const Wish& wish = contest.wish;
   const Family& family = *candidate.point.family;
   const double budget = budget_of(wish, family);
@@ -247,7 +276,8 @@ Candidate Choosing::with_more_substeps(const Contest& contest, const Candidate& 
     return more.point.outcome == Outcome::good && (wish.limits.empty() || more.excess <= 1) &&
            more.point.cost <= budget;
   };
-  for (int parts = 1; parts <= 128 && !more.reached && more.point.cost <= budget && work() <= until; parts *= 2) {
+  for (int parts = first; parts <= last && !more.reached && more.point.cost <= budget && work() <= until;
+       parts *= 2) {
     const int from = candidate.point.knobs.substeps;
     more.point.knobs.substeps = std::max(more.point.knobs.substeps + 1, from + from * parts / 16);
     more.reached = std::all_of(contest.starts.rbegin(), contest.starts.rend(), kept);  // the scene's own last
@@ -256,28 +286,37 @@ Candidate Choosing::with_more_substeps(const Contest& contest, const Candidate& 
 }
 
 /// The same method's cheapest that also keeps the starts that were added since. A search watches a part of a run,
-/// so that it may not see why its candidate missed one: then that with more substeps, for half as much again.
-Candidate Choosing::found_again(Contest& contest, const Candidate& candidate, double until) {
+/// so that it may not see why its candidate missed one: then that with more substeps, for half as much again. One
+/// that has missed often keeps its starts by luck, and needs steps that are shorter by far.
+Candidate Choosing::found_again(Contest& contest, const Candidate& candidate, int misses, double until) {
   const Family& family = *candidate.point.family;
-  if (!contest.wish.limits.empty()) {
+  if (!contest.wish.limits.empty() && misses <= most_searches) {
     const double bound = std::min(10 * candidate.point.cost, budget_of(contest.wish, family));
     const Candidate found = found_by(contest, family, bound, until - work(), choice_.spent);
     if (found.reached && found.point.cost > candidate.point.cost) return found;
   }
-  return with_more_substeps(contest, candidate, std::max(until, work() + most_of_one_ / 2));
+  return with_more_substeps(contest, candidate, 1 << std::clamp(misses - most_searches, 0, 5), 128,
+                            std::max(until, work() + most_of_one_ / 2));
 }
 
 /// A run from each start of the verification until one fails. Where true motions leave it few starts, what can be
 /// judged without them is from the rest.
-Choosing::Counted Choosing::counted(const Contest& contest, const Point& point) {
+Choosing::Counted Choosing::counted(Contest& contest, const Point& point) {
   const auto run_from = [&](const std::vector<int>& numbers, const Wish& wish) {
     const auto result =
         verify(variations(problem_, numbers, of_verification), point, wish, search_.side_by_side, true);
-    choice_.spent += {result.starts, result.starts * whole_work(problem_, point.cost)};
+    const int runs = result.starts + static_cast<int>(result.unknown.size());
+    choice_.spent += {runs, runs * whole_work(problem_, point.cost)};
+    work() += asks_for_reference(wish.limits) ? truths_.work(of_verification, std::span(numbers).first(runs)) : 0;
     return result;
   };
   Verification verification = run_from(contest.verified_from, contest.wish);
-  work() += truths_.work(of_verification, std::span(contest.verified_from).first(verification.starts));
+  while (verification.kept() && !verification.unknown.empty() && contest.left_out < starts_) {
+    for (const int place : verification.unknown) contest.verified_from[place] = contest.next++;
+    contest.left_out += static_cast<int>(verification.unknown.size());
+    verification = run_from(contest.verified_from, contest.wish);
+  }
+  verification.left_out = contest.left_out;
   if (!verification.kept())
     return {verification, contest.verified_from[static_cast<std::size_t>(verification.worst)]};
   const Wish rest = without_reference(contest.wish);
@@ -296,7 +335,7 @@ Choosing::Counted Choosing::counted(const Contest& contest, const Point& point) 
 /// Whether it keeps the wish from the starts, too, that others have missed: these are verified from no more, and a
 /// search that was before does not know them.
 bool Choosing::keeps_added(const Contest& contest, const Point& point) {
-  return std::all_of(contest.starts.begin() + static_cast<long>(first_starts_.size()), contest.starts.end(),
+  return std::all_of(contest.starts.begin() + static_cast<long>(contest.added_from), contest.starts.end(),
                      [&](const Problem& start) {
                        return excess(whole(start, *point.family, point.knobs), contest.wish.limits) <= 1;
                      });
@@ -309,13 +348,14 @@ bool Choosing::keeps_added(const Contest& contest, const Point& point) {
 std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
                                           double until, double until_first) {
   std::vector<Candidate> kept;
-  std::vector<int> misses(found.size());
+  int misses = 0;
   while (kept.size() < wanted) {
     Candidate* next = nullptr;
     for (Candidate& candidate : found)
       if (candidate.reached && (!next || preferred(candidate, *next, contest.wish))) next = &candidate;
     if (!next) break;
-    if (work() > (kept.empty() ? std::max(until, until_first) : until)) {
+    const double end = kept.empty() ? std::max(until, until_first) : until;
+    if (work() > end) {
       choice_.at_its_bound = choice_.at_its_bound || kept.empty();
       break;
     }
@@ -332,8 +372,8 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
       contest.next = std::max(contest.next, *missed + 1);
       std::ranges::replace(contest.verified_from, *missed, contest.next++);
     }
-    *next = found_again(contest, *next, work() + most_of_one_);
-    next->reached = next->reached && ++misses[next - found.data()] < most_attempts;
+    if (work() > end - most_of_one_) misses = std::max(misses, most_searches);  // no time for another search
+    *next = found_again(contest, *next, ++misses, work() + most_of_one_);
   }
   return kept;
 }
@@ -341,18 +381,22 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
 /// What keeps the wish; and where that is dearer than what was found, what was left out as too dear beside it.
 std::vector<Candidate> Choosing::verified_with_dearer() {
   std::vector<Candidate> kept = verified(contest_, found_, most_answers, by_verification_, by_robust_);
-  if (wish_.limits.empty() || starts_ == 0 || work() >= by_verification_ ||
-      (!kept.empty() && kept.front().point.cost <= 1.05 * cheapest_yet_))
-    return kept;
+  if (wish_.limits.empty() || starts_ == 0) return kept;
+  // Nothing yet: up to ten times as dear, and so on.
+  double dear = cheapest_yet_;
+  while (kept.empty() && work() < by_robust_ && dear < hopeless) {
+    cheapest_yet_ = dear *= 10;
+    look_at_all(by_robust_);
+    kept = verified(contest_, found_, most_answers, by_robust_, by_robust_);
+  }
+  choice_.at_its_bound = choice_.at_its_bound || (kept.empty() && dear < hopeless);
+  if (kept.empty() || work() >= by_verification_ || kept.front().point.cost <= 1.05 * cheapest_yet_) return kept;
   for (const Candidate& one : kept) settled_[static_cast<std::size_t>(one.point.family - all_.data())] = 1;
-  cheapest_yet_ = kept.empty() ? 10 * cheapest_yet_ : kept.front().point.cost / worth;
-  look(quick_, INFINITY, by_verification_), look(exact_, INFINITY, by_verification_);
-  if (work() <= search_.enough) look(rest_, INFINITY, by_verification_);
+  cheapest_yet_ = kept.front().point.cost / worth;
+  look_at_all(by_verification_);
   const Verification of_first = choice_.verified;
-  const std::vector<Candidate> more =
-      verified(contest_, found_, most_answers, by_dearer_, kept.empty() ? by_robust_ : by_dearer_);
-  if (!kept.empty() && (more.empty() || !preferred(more.front(), kept.front(), wish_)))
-    choice_.verified = of_first;
+  const std::vector<Candidate> more = verified(contest_, found_, most_answers, by_dearer_, by_dearer_);
+  if (more.empty() || !preferred(more.front(), kept.front(), wish_)) choice_.verified = of_first;
   kept.insert(kept.end(), more.begin(), more.end());
   std::stable_sort(kept.begin(), kept.end(),
                    [&](const Candidate& a, const Candidate& b) { return preferred(a, b, wish_); });
@@ -361,29 +405,48 @@ std::vector<Candidate> Choosing::verified_with_dearer() {
 }
 
 /// The cheapest that keeps the wish, or what comes nearest.
-void Choosing::recommend(const std::vector<Candidate>& kept) {
-  choice_.reached = !kept.empty();
+void Choosing::recommend() {
+  choice_.reached = !kept_.empty();
   if (choice_.reached) {
-    choice_.best = kept.front();
+    choice_.best = kept_.front();
     choice_.best.point = with_all_errors(*choice_.best.point.family, choice_.best.point.knobs);
-    choice_.runners_up.assign(kept.begin() + 1, kept.end());
+    choice_.runners_up.assign(kept_.begin() + 1, kept_.end());
     return;
   }
-  choice_.best = *std::min_element(found_.begin(), found_.end(),
-                                   [&](const Candidate& a, const Candidate& b) { return preferred(a, b, wish_); });
-  if (choice_.best.point.outcome != Outcome::good) return;
-  // So far it may have been watched in part.
-  choice_.best.point = with_all_errors(*choice_.best.point.family, choice_.best.point.knobs);
-  choice_.best.excess = excess(choice_.best.point, wish_.limits);
+  choice_.best = nearest();
+}
+
+/// Of each method's best run so far from the scene's own start, over the whole time: the best.
+Candidate Choosing::nearest() {
+  Candidate nearest = *std::min_element(found_.begin(), found_.end(), [&](const Candidate& a, const Candidate& b) {
+    return preferred(a, b, wish_);
+  });
+  // One that ended early met its errors sooner.
+  const auto rank = [&](const Point& point) { return excess(point, wish_.limits) / point.seconds; };
+  const auto before = [&](const Point& a, const Point& b) { return rank(a) < rank(b); };
+  std::vector<Point> watched;  // in part
+  if (nearest.point.outcome == Outcome::good) watched.push_back(nearest.point);
+  for (const std::vector<Known>& known : contest_.known)
+    if (!known.empty() && !known.front().empty())
+      watched.push_back(std::ranges::min_element(known.front(), before, &Known::value_type::second)->second);
+  std::ranges::sort(watched, before);
+  nearest.excess = INFINITY, nearest.reached = false;
+  for (const Point& one : watched) {
+    if (nearest.point.seconds > 0 && work() + whole_work(problem_, one.cost) > search_.most) break;
+    const Point point = whole(problem_, *one.family, one.knobs);
+    const Candidate now{false, point, excess(point, wish_.limits)};
+    if (preferred(now, nearest, wish_)) nearest = now;
+  }
+  return nearest;
 }
 
 /// What held from the scene's own start, and what cannot run it or failed.
-void Choosing::tell_others(const std::vector<Candidate>& kept) {
+void Choosing::tell_others() {
   std::stable_sort(found_.begin(), found_.end(),
                    [&](const Candidate& a, const Candidate& b) { return preferred(a, b, wish_); });
   for (const Candidate& candidate : found_) {
     const auto is_it = [&](const Candidate& one) { return one.point.family == candidate.point.family; };
-    if (is_it(choice_.best) || std::any_of(kept.begin(), kept.end(), is_it)) continue;
+    if (is_it(choice_.best) || std::any_of(kept_.begin(), kept_.end(), is_it)) continue;
     if (!candidate.point.family || candidate.point.outcome == Outcome::too_slow) continue;
     if (candidate.point.outcome != Outcome::good || !std::isfinite(candidate.excess)) {
       choice_.passed.push_back(candidate.point);
@@ -419,9 +482,9 @@ void Choosing::coarsen() {
 
 /// Half and a tenth of the limits, by what keeps the wish and by the methods whose search is quick: what is exact
 /// costs no more for less.
-void Choosing::tighten(const std::vector<Candidate>& kept) {
+void Choosing::tighten() {
   std::vector<const Family*> able;
-  for (const Candidate& one : kept) able.push_back(one.point.family);
+  for (const Candidate& one : kept_) able.push_back(one.point.family);
   for (const std::size_t at : quick_)
     if (std::find(able.begin(), able.end(), &all_[at]) == able.end()) able.push_back(&all_[at]);
   std::vector<const Family*> others;
@@ -430,7 +493,8 @@ void Choosing::tighten(const std::vector<Candidate>& kept) {
         std::find(able.begin(), able.end(), one.point.family) == able.end())
       others.push_back(one.point.family);
   // Of what is left half is for all others, where they are a good deal cheaper.
-  const auto either = [&](double part, double until) {
+  const auto either = [&](double part, double foreseen) {
+    const double until = std::max(foreseen, work() + 2 * most_of_one_);
     const auto first = tighter(part, able, 0.5 * (until + work()));
     const auto other =
         others.empty() ? std::nullopt : tighter(part, others, until, first ? first->cost / 1.2 : INFINITY);
@@ -445,11 +509,18 @@ void Choosing::tighten(const std::vector<Candidate>& kept) {
 /// The cheapest of these methods that keeps that share of the limits, at a cost of at most `bound`.
 std::optional<Point> Choosing::tighter(double part, const std::vector<const Family*>& able, double until,
                                        double bound) {
-  Contest tight{wish_, first_starts_, first_numbers(starts_), starts_};
+  Contest tight{.wish = wish_, .verified_from = first_numbers(starts_), .next = starts_};
   for (auto& [error, limit] : tight.wish.limits) limit *= part;
+  begin(tight);
   tight.wish.budget = nullptr;
   if (choice_.verified.excess <= part) return choice_.best.point;  // from the starts that it was verified from
-  if (work() > until) return {};
+  if (work() > until || !well_known(problem_, tight.wish)) return {};
+  // What keeps the wish may also keep this with steps that are short enough; a search looks for what is cheaper.
+  Candidate shorter;
+  for (const Candidate& one : kept_)
+    if (!shorter.reached && std::ranges::find(able, one.point.family) != able.end())
+      shorter = with_more_substeps(tight, one, 8, 1024, std::min(until, work() + most_of_one_));
+  if (shorter.reached) bound = std::min(bound, shorter.point.cost);
   std::vector<Candidate> again(able.size());
   // A search that is allowed much takes long, and finds nothing cheaper than one that found something.
   for (const double times : {4.0, 100.0}) {
@@ -464,10 +535,12 @@ std::optional<Point> Choosing::tighter(double part, const std::vector<const Fami
         std::any_of(again.begin(), again.end(), [](const Candidate& one) { return one.reached; }))
       break;
   }
+  again.push_back(shorter);
   const Verification of_best = choice_.verified;
   const auto best = verified(tight, again, 1, until, by_robust_);
   const Verification of_tight = std::exchange(choice_.verified, of_best);
   if (best.empty()) return {};
+  choice_.left_out = std::max(choice_.left_out, of_tight.left_out);
   const Point point = with_all_errors(*best.front().point.family, best.front().point.knobs);
   if (point.cost < choice_.best.point.cost && point.cost <= budget_of(wish_, *point.family)) {
     // It keeps the wish itself for less, which its search had missed.

@@ -26,10 +26,11 @@ struct Choice {
   std::optional<Point> coarser;       // the next coarser choice of the same method that was tried, and missed
   // The cheapest that keep half and a tenth of each limit from as many starts; `best` where that does.
   std::optional<Point> robust, finer;
-  double margin = NAN;          // see `margin`
-  Spent spent;                  // on all of it
-  bool at_its_bound = false;    // whether the search ended because it had taken what it may
-  double searched = 0;          // up to which cost a frame all methods were tried; infinite: within the budget
+  int left_out = 0;           // starts left out of theirs: the true motion is not known well enough for so little
+  double margin = NAN;        // see `margin`
+  Spent spent;                // on all of it
+  bool at_its_bound = false;  // whether the search ended because it had taken what it may
+  double searched = 0;        // up to which cost a frame all methods were tried; infinite: within the budget
   double searched_exactly = 0;  // and those that solve each step exactly, and XPBD
 };
 

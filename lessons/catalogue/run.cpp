@@ -128,8 +128,10 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
   at(Error::drift) = scene.separation();
   if (named.keeps_energy) at(Error::energy) = 0;
   if (named.keeps_spin) at(Error::momentum) = 0;
+  const bool touches = has(named, Error::contact);
   const long frames = std::lround((watch.seconds > 0 ? watch.seconds : named.duration) / frame),
-             compared = watch.reference ? std::lround(problem.compared_at() / frame) : 0;
+             compared =
+                 watch.reference || touches || watch.algebraic ? std::lround(problem.compared_at() / frame) : 0;
   Bill bill(frames);
   Eigen::Vector3d momentum = scene.momentum();
   for (long i = 1; i <= frames; ++i) {
@@ -157,14 +159,16 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
     if (named.keeps_spin)
       at(Error::momentum) = std::max(at(Error::momentum), std::abs(scene.angular_momentum().y() / spin - 1));
     if (i + 1 == compared) momentum = scene.momentum();
-    if (i == compared) {
+    if (i == compared && watch.reference) {
       const Reference& reference = problem.reference();
       at(Error::trajectory) = scene.farthest_from(reference.positions);
       point.uncertainty = reference.uncertainty;
       const Eigen::Vector3d reaction = (scene.momentum() - momentum) / frame - scene.weight();
       at(Error::reaction) =
           (reaction - reference.reaction).norm() / std::max(reference.reaction.norm(), scene.weight().norm());
-      if (named.duty != Duty::hold) at(Error::contact) = scene.residual();
+    }
+    if (i == compared) {
+      if (touches) at(Error::contact) = scene.residual();
       if (watch.algebraic) at(Error::algebraic) = scene.algebraic_error(frame / setting.steps);
     }
     for (int e = 0; e < error_count; ++e)

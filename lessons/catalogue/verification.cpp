@@ -20,19 +20,25 @@ Verification verify(std::span<const Problem> starts, const Point& point, const W
   Verification result{.seconds = starts[0].scene().duration};
   const int all = static_cast<int>(starts.size());
   // First a few, because most that fail do so soon.
-  for (int batch = until_one_fails ? 6 : all; result.starts < all; batch *= 2) {
-    const auto some = starts.subspan(result.starts, std::min(batch, all - result.starts));
+  int place = 0;
+  for (int batch = until_one_fails ? 6 : all; place < all; batch *= 2) {
+    const auto some = starts.subspan(place, std::min(batch, all - place));
     std::vector<Point> points(some.size());
     side_by_side(static_cast<int>(some.size()), [&](int i) {
       const auto at = static_cast<std::size_t>(i);
       points[at] = whole_run(some[at], *point.family, point.knobs, wish);
     });
     for (const Point& one : points) {
+      const int now = place++;
+      if (!well_known(one.uncertainty, wish.limits)) {
+        result.unknown.push_back(now);
+        continue;
+      }
       ++result.starts;
       result.good += one.outcome == Outcome::good;
       const double over = excess(one, wish.limits);
       result.within += over <= 1;
-      if (over > result.excess) result.excess = over, result.worst = result.starts - 1;
+      if (over > result.excess) result.excess = over, result.worst = now;
       if (one.outcome != Outcome::good && result.first_failure.empty()) result.first_failure = one.reason;
     }
     if (until_one_fails && !result.kept()) break;

@@ -20,9 +20,11 @@ struct Verification {
   int starts = 0, good = 0, within = 0;  // did their duty; had errors within the limits, too
   double seconds = 0;                    // of each
   double excess = 0;                     // the largest error of those over its limit; infinite where one failed
-  int worst = 0;                         // the start from which it was so
+  int worst = 0;                         // place of the start from which it was so
   std::string first_failure = {};        // "a joint opened …"; empty if all are good
   int further = 0;                       // starts from which only what needs no true motion was judged, and kept
+  std::vector<int> unknown = {};         // places of those left out above: the true motion is not well known
+  int left_out = 0;                      // of those, how many others have taken the place of
 
   bool kept() const { return within == starts; }
   bool certified() const { return kept() && starts >= certain; }

@@ -21,9 +21,7 @@ void require_valid(const Problem& problem, const Wish& wish) {
 
 namespace {
 
-bool asks_for_reference(Error error) {
-  return needs_truth(error) || error == Error::contact || error == Error::algebraic;
-}
+bool asks_for_reference(Error error) { return needs_truth(error) || error == Error::algebraic; }
 
 }  // namespace
 
@@ -43,6 +41,11 @@ double excess(const Point& point, const std::map<Error, double>& limits) {
     most = std::max(most, point.has(error) ? (point[error] + unknown) / limit : INFINITY);
   }
   return most;
+}
+
+bool well_known(double uncertainty, const std::map<Error, double>& limits) {
+  const auto limit = limits.find(Error::trajectory);
+  return limit == limits.end() || uncertainty <= 0.25 * limit->second;
 }
 
 Point whole_run(const Problem& problem, const Family& family, const Knobs& knobs, const Wish& wish,

@@ -38,6 +38,9 @@ Wish without_reference(Wish wish);
 /// run did its duty and has all these errors.
 double excess(const Point& point, const std::map<Error, double>& limits);
 
+/// Whether a true motion that is known to so much [m] can judge a run: to a quarter of the trajectory's limit.
+bool well_known(double uncertainty, const std::map<Error, double>& limits);
+
 /// A run from beginning to end, with what the wish asks about, or with all errors.
 Point whole_run(const Problem& problem, const Family& family, const Knobs& knobs, const Wish& wish,
                 bool all_errors = false);

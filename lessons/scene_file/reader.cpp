@@ -18,7 +18,7 @@ const std::map<std::string, AccuracyName>& accuracy_names() {
         "1 s"}},
       {"energy",
        {"1",
-        "largest change of energy after any frame of the run, beside the true motion's, as a share of the weight "
+        "largest change of energy after any frame since the run began, as a share of the weight "
         "of all bodies "
         "times their distances from the first fixed body (from the origin if none is fixed), or without weight of "
         "the first kinetic energy"}},

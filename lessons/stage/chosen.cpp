@@ -95,7 +95,28 @@ std::string margin_in_words(const Choice& choice, const Request& request) {
                      strides_of_margin, Value(choice.margin, 3));
 }
 
-void show_answers(Page& page, const Request& request, const Choice& choice) {
+/// What ends "No setting was found that keeps a tenth of each limit".
+std::string why_not_tighter(const Request& request, double part, bool at_its_bound, double patience) {
+  const auto limit = request.limits.find(Error::trajectory);
+  if (limit != request.limits.end() &&
+      !well_known(request.problem.reference().uncertainty, {{Error::trajectory, part * limit->second}}))
+    return course::say(": the true motion is known to @ m only.",
+                       Value(request.problem.reference().uncertainty, 2));
+  if (!at_its_bound) return ".";
+  return course::say(", within the time that the search takes. With --set patience=@ it looks further.",
+                     10 * std::max(patience, usual_patience));
+}
+
+/// The starts that are not among those of the verifications.
+std::string left_out_in_words(const Choice& choice) {
+  constexpr const char* others =
+      " @ other starts are left out@: from there the true motion is not known to a quarter of what is asked for.";
+  if (choice.verified.left_out > 0) return course::say(others, choice.verified.left_out, "");
+  if (choice.left_out > 0) return course::say(others, choice.left_out, " for half or a tenth of the limits");
+  return "";
+}
+
+void show_answers(Page& page, const Request& request, const Choice& choice, double patience) {
   const std::vector<Answer> answers = answers_of(choice);
   std::vector<std::vector<std::string>> rows;
   for (const Answer& one : answers)
@@ -114,11 +135,11 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
         "**Warning:** the cheapest keeps what is asked, but gets other things wrong: @. Limit these in the file's "
         "\"accuracy\" if they matter.",
         bad);
-  for (const auto& [found, asked] : {std::pair{choice.robust.has_value(), "half of each limit"},
-                                     {choice.finer.has_value(), "a tenth of each limit"}})
+  for (const auto& [found, part, asked] : {std::tuple{choice.robust.has_value(), 0.5, "half of each limit"},
+                                           {choice.finer.has_value(), 0.1, "a tenth of each limit"}})
     if (!found)
-      page.text("No setting was found that keeps @ from all starts@.", asked,
-                choice.at_its_bound ? ", within the time that the search takes" : "");
+      page.text("No setting was found that keeps @ from all starts@", asked,
+                why_not_tighter(request, part, choice.at_its_bound, patience));
   if (const auto limit = request.limits.find(Error::trajectory); limit != request.limits.end()) {
     page.text("The true motion is known to @ m. That counts as error of the trajectory besides.",
               Value(std::max(least_told, choice.best.point.uncertainty), 2));
@@ -136,13 +157,13 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
   else
     page.text(
         "Run for @ s from @ starts (the file's own and others whose @ by up to a twentieth), the cheapest "
-        "kept what is asked in @@.@ @ runs were made.",
+        "kept what is asked in @@.@@ @ runs were made.",
         Value(choice.verified.seconds, 3), choice.verified.starts, varied_in_words(request),
         choice.verified.within,
         choice.verified.certified()
             ? ": of such starts more than 95 % do, with 95 % confidence"
             : course::say(", where @ would have to before 95 % of such starts are certain", certain),
-        further_in_words(choice.verified), choice.spent.runs);
+        left_out_in_words(choice), further_in_words(choice.verified), choice.spent.runs);
   if (const std::string margin = margin_in_words(choice, request); !margin.empty()) page.text("@", margin);
   page.clocked("chosen", "Time for 1/60 s on this machine.", [=] {
     renderer::Chart chart{.y = {.label = "time (µs)"}};
@@ -185,8 +206,9 @@ std::string nearest_in_words(const Choice& choice) {
         "From the file's own start @ keeps it, with @ of the error that is allowed. No method was found that also "
         "keeps it from each of the others, which differ by up to a twentieth.",
         best.described(), Value(choice.best.excess, 2));
-  return course::say("The nearest is @, with @ times the error that is asked for.", best.described(),
-                     Value(choice.best.excess, 2));
+  return course::say(
+      "Of what was tried, @ came nearest from the file's own start, with @ times the error that is asked for.",
+      best.described(), Value(choice.best.excess, 2));
 }
 
 }  // namespace
@@ -225,13 +247,15 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
     };
     return choose(request.problem, {.limits = request.limits}, search);
   };
-  double allowed = std::min(soon, patience);  // [s]
-  Choice choice = chosen_within(allowed);
-  // Nothing yet: it takes all that the reader allows.
-  if (!choice.reached && choice.at_its_bound && patience > 2 * soon)
-    choice = chosen_within(allowed = patience - soon);
+  Choice choice = chosen_within(std::min(soon, patience));
+  // Nothing yet: it takes all that the reader allows; for half and a tenth what is allowed on purpose.
+  const bool lacks = !choice.reached || (!(choice.robust && choice.finer) && patience > usual_patience);
+  if (lacks && choice.at_its_bound && patience > 2 * soon) {
+    Choice longer = chosen_within(patience - soon);
+    if (longer.reached || !choice.reached) choice = std::move(longer);
+  }
   if (choice.reached) {
-    show_answers(page, request, choice);
+    show_answers(page, request, choice, patience);
   } else if (choice.at_its_bound) {
     page.text(
         "**Nothing was found yet that reaches that**, in the @ runs that --set patience=@ allows. @ With --set "

@@ -220,7 +220,7 @@ Lesson page_of(const SceneFile& given, const std::string& stem, bool with_choose
   lesson.step("What it costs", [=](Page& page) { show_cost(page, knobs->file(), runs->now(), knobs->method()); });
   if (with_chooser) {
     const auto patience =
-        lesson.parameter("patience", 40.0, "s", {1, 1e5}, "how long the chooser looks for a method");
+        lesson.parameter("patience", usual_patience, "s", {1, 1e5}, "how long the chooser looks for a method");
     lesson.step("The chooser", [=](Page& page) { show_chosen(page, knobs->file(), patience()); });
   }
   return lesson;

@@ -84,6 +84,18 @@ double scale_of(const AnyScene& scene, double most_change) {
   return scale > 0.01 * other ? scale : other > 0 ? other : 1;
 }
 
+/// The energy that an instant takes, in which first velocities that pull joints apart become such that do not [J].
+double energy_taken_at_first(AnyScene scene) {
+  scene.use(AnyStepping{ByGraph{}, Baumgarte{.beta = 0}});
+  const double before = scene.energy();
+  try {
+    scene.step(1e-6 * frame);
+  } catch (const std::runtime_error&) {
+    return 0;
+  }
+  return before - scene.energy();
+}
+
 Pilot watch_pilot(const SceneFile& file, int substeps) {
   const AnyScene start = any(file);
   AnyScene scene = start;
@@ -413,6 +425,12 @@ Request request_of(const SceneFile& file) {
     else
       request.limits[error] = limit;
   }
+  if (const auto energy = request.limits.find(Error::energy); energy != request.limits.end())
+    if (const double taken = energy_taken_at_first(any(file)) / pilot.scale; taken > 0.1 * energy->second)
+      request.notes.push_back(fmt::format(
+          "The first velocities pull joints apart. The first step of any method ends that, which takes "
+          "{:.2g} of the energy's scale: so much of the limit of {:.2g} is spent.",
+          taken, energy->second));
   if (request.limits.empty()) {
     request.limits[Error::drift] = 0.01 * scene.body;
     request.notes.push_back(fmt::format(

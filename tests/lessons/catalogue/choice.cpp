@@ -364,6 +364,42 @@ TEST(Chooser, TakesNoMoreThanItMayAndShowsWhatItHas) {
   }
 }
 
+// From where nobody knows the true motion no run is judged: other starts take the place of those.
+TEST(Chooser, LeavesOutStartsWhoseTrueMotionIsNotKnown) {
+  NamedScene scene = named_scene("pendulum");
+  const double own = Problem(scene)["angle"];
+  scene.exact = [exact = scene.exact, own](const Problem& problem) {
+    const bool vague = problem["angle"] > 1.03 * own;
+    return [known = exact(problem), vague](double time) {
+      ExactState state = known(time);
+      if (vague) state.uncertainty = 1;
+      return state;
+    };
+  };
+  const Problem problem(scene);
+  const auto vague = [&](const Problem& start) { return start["angle"] > 1.03 * own; };
+  const std::vector<Problem> starts = variations(problem, first_numbers(certain), 1);
+  const auto among = std::ranges::count_if(starts, vague);
+  ASSERT_GT(among, 5);
+  const Wish wish{.limits = {{Error::trajectory, 0.05}}};
+  const Choice choice = choose(problem, wish, {.verification = 1e13});
+  ASSERT_TRUE(choice.reached);
+  EXPECT_EQ(choice.verified.starts, certain);
+  EXPECT_TRUE(choice.verified.certified());
+  EXPECT_GE(choice.verified.left_out, among);
+  const Verification of_first = verify(starts, choice.best.point, wish);
+  EXPECT_EQ(of_first.starts, certain - among);
+  EXPECT_EQ(of_first.unknown.size(), static_cast<std::size_t>(among));
+}
+
+TEST(Chooser, CallsNearestWhatErrsLeastOfAllThatWasTried) {
+  const Wish wish{.limits = {{Error::energy, 1e-9}, {Error::drift, 1e-9}, {Error::trajectory, 1e-10}}};
+  const Choice choice = choose(Problem("double_pendulum"), wish, {.starts = 4, .enough = 1e9, .most = 2e9});
+  ASSERT_FALSE(choice.reached);
+  EXPECT_GT(choice.best.excess, 1);
+  for (const Candidate& other : choice.runners_up) EXPECT_GE(other.excess, choice.best.excess);
+}
+
 TEST(Chooser, RefusesAWishThatIsNone) {
   const Problem problem = short_chain();
   EXPECT_THAT([&] { choose(problem, {}); },

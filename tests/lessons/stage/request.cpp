@@ -2,6 +2,7 @@
 
 #include "lessons/stage/request.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -303,6 +304,52 @@ TEST(Chooser, JudgesFromAllStartsWhatNeedsNoTrueMotion) {
   limits.erase(Error::drift);
   EXPECT_EQ(choose(request.problem, {.limits = limits}, search).verified.further, 0);
   EXPECT_EQ(further_in_words({}), "");
+}
+
+// A contact's residual is that of its own rows: a stack is judged from all starts.
+TEST(Chooser, NeedsNoTrueMotionForContacts) {
+  SceneFile file = course_scene("stack");
+  file.accuracy = {{"drift", 4e-3}, {"contact", 0.02}};
+  const Request request = request_of(file);
+  EXPECT_FALSE(asks_for_reference(request.limits));
+  const Choice choice = choose(request.problem, {.limits = request.limits}, {.enough = 5e9, .most = 2e10});
+  ASSERT_TRUE(choice.reached);
+  EXPECT_EQ(choice.verified.starts, certain);
+  EXPECT_EQ(choice.verified.further, 0);
+}
+
+// What seems cheapest from few starts misses the limit from others, and what keeps it is several times as dear.
+TEST(Chooser, LooksFurtherWhereWhatWasFoundMisses) {
+  const SceneFile file = read_scene(R"({"model": "space", "duration": 2.5, "accuracy": {"trajectory": 0.05},
+      "bodies": [{"fixed": true}, {"mass": 2, "inertia": [0.02, 0.2, 0.2], "position": [0.5, 0, 0]},
+                 {"mass": 2, "inertia": [0.05, 0.05, 0.05], "position": [1.2, 0, 0]}],
+      "constraints": [{"kind": "hinge", "bodies": [0, 1], "point": [0, 0, 0], "axis": [0, 0, 1]},
+                      {"kind": "servo", "on": "turn", "axis": [0, 0, 1], "bodies": [0, 1], "target": 0.8,
+                       "stiffness": 150, "damping": 12, "strength": 80},
+                      {"kind": "pin", "bodies": [1, 2], "point": [1, 0, 0]}]})");
+  const Request request = request_of(file);
+  const double most = 6e10;
+  const Choice choice =
+      choose(request.problem, {.limits = request.limits},
+             {.starts = 12, .verification = most / 10, .tighter = false, .enough = most, .most = most});
+  ASSERT_TRUE(choice.reached);
+  EXPECT_TRUE(choice.verified.kept());
+  EXPECT_GT(choice.verified.starts, 6);
+}
+
+TEST(Request, SaysWhatFirstVelocitiesThatDoNotFitTakeOfTheEnergy) {
+  const auto notes = [](const char* velocity) {
+    return request_of(
+               read_scene(fmt::format(
+                   R"({{"model": "plane particles", "gravity": [0, 0], "duration": 2, "accuracy": {{"energy": 0.01}},
+        "bodies": [{{"fixed": true}}, {{"mass": 1, "position": [1, 0], "velocity": {}}}],
+        "constraints": [{{"kind": "distance", "bodies": [0, 1]}}]}})",
+                   velocity)))
+        .notes;
+  };
+  EXPECT_THAT(notes("[0, 1]"), testing::IsEmpty());
+  // Of ½ (0.1² + 1²) J it takes ½ 0.1² J.
+  EXPECT_THAT(notes("[0.1, 1]"), testing::ElementsAre(HasSubstr("takes 0.0099 of the energy")));
 }
 
 TEST(Chooser, EndsWithWhatItHas) {
