@@ -129,11 +129,10 @@ void block_on_a_slope(const Setting& setting, Page& page) {
   std::vector<double> ours;
   constexpr double creep = 1e-5;  // [m/s], in the second second, when what the first has shaken is over
   std::vector<std::string> creeping, further;
-  bool others = false;
   const double nearly = after_a_lost_step(limit - 0.1 * degree);
   for (const Entrant<M>& entrant : field.entrants)
     for (const std::size_t row : {0, 1}) {
-      const std::string name = say("@ as @", entrant.name, row == 0 ? "shipped" : "advised");
+      const std::string name = say("@ @", entrant.name, row_names[row]);
       rows.push_back({name});
       std::vector<std::vector<Slid>> slid;
       for (const double d : aside) {
@@ -154,7 +153,6 @@ void block_on_a_slope(const Setting& setting, Page& page) {
       in_runs(
           further, [&](const Slid& one) { return one.way > nearly; }, nearly_held);
       if (entrant.name == ours_name) continue;
-      others = true;
       in_runs(
           creeping, [](const Slid& one) { return std::abs(one.in_the_last_second) > creep; }, held);
     }
@@ -172,7 +170,7 @@ void block_on_a_slope(const Setting& setting, Page& page) {
              rows);
   const Quantity moving("rows that creep", static_cast<double>(creeping.size())),
       slipped("rows that slide further", static_cast<double>(further.size()));
-  if (others)
+  if (field.entrants.size() > 1)
     page.text(
         "@ @",
         page.verdict({{.when = slipped < 1,

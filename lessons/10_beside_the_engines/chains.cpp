@@ -102,8 +102,7 @@ std::string failures(const std::vector<Outcomes<Hung>>& all) {
   for (const Outcomes<Hung>& one : all)
     for (const std::size_t row : {0, 1}) {
       const Hung& hung = one.by_setting[row];
-      const std::string name =
-          say("@ as @ after @ s", one.name, row == 0 ? "shipped" : "advised", Value(hung.time, 3));
+      const std::string name = say("@ @ after @ s", one.name, row_names[row], Value(hung.time, 3));
       if (hung.end == Hung::End::parted) parted.push_back(name);
       if (hung.end == Hung::End::exploded) exploded.push_back(name);
     }
@@ -403,7 +402,7 @@ void with_friction(Page& page, const std::vector<Outcomes<Hung>>& outcomes, cons
     engines::Setting setting = engine.settings.joints[row];
     setting.knobs = {{"joint friction", 0.05}};
     const Hung hung = hang<M>(engines::contestant<M>(engine, setting), scene, frames);
-    const std::string as = row == 0 ? "as shipped" : "as advised";
+    const std::string as = row_names[row];
     const Quantity gap("the gap with friction", hung.gap);
     words += say(
         "@@", row == 0 ? "" : " ",

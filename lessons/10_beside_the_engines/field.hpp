@@ -3,6 +3,7 @@
 #include "lessons/10_beside_the_engines/setting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
@@ -22,12 +23,15 @@ constexpr double most_of_a_pendulum = 32, most_in_space = 512;  // iterations a 
 constexpr double most_of_contacts = engines::contact_iterations.back(),
                  most_of_a_wall_in_space = engines::contact_iterations.front();
 /// Under node all engines share one process.
-constexpr double most_of_joints_in_webassembly = 512, most_of_contacts_in_webassembly = most_of_contacts;
+constexpr double most_of_joints_in_webassembly = 128, most_of_contacts_in_webassembly = most_of_contacts;
 /// Frames in which a pile comes to its engine's own rest: 5 s, for soft contacts still sink after one.
 constexpr int settling = 300;
 
 /// The name under which the course's solver takes part.
 inline const std::string& ours_name = engines::this_course().name;
+
+/// The first two rows of each engine.
+inline constexpr std::array row_names{"as shipped", "as advised"};
 
 /// An engine with its settings: as shipped, as its manual advises, and all others that are tried.
 template <class M>

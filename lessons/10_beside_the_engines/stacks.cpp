@@ -107,7 +107,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   std::vector<std::string> going_on;
   for (const Entrant<M>& entrant : field.entrants)
     for (const std::size_t row : {0, 1}) {
-      rows.push_back({say("@, @", entrant.name, row == 0 ? "as shipped" : "as advised")});
+      rows.push_back({say("@, @", entrant.name, row_names[row])});
       double sunk = 0;
       for (const Try& one : tries) {
         const Standing standing = stand(entrant.settings[row], one.scene, one.kick);
@@ -118,7 +118,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
         undecided += fallen_of(all) > 0 && fallen_of(all) < std::ssize(all);
         sunk = standing.sunk;
         if (std::ranges::any_of(all, &Standing::goes_on))
-          going_on.push_back(say("@ (@, @)", entrant.name, row == 0 ? "as shipped" : "as advised", one.name));
+          going_on.push_back(say("@ (@, @)", entrant.name, row_names[row], one.name));
         if (entrant.name == ours_name)
           ours.insert(ours.end(), all.begin(), all.end());
         else

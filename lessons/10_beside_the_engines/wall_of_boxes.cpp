@@ -78,8 +78,7 @@ std::string restless_in_words(const Field<M>& field, const std::vector<Outcomes<
   for (std::size_t i = 0; i < still.size(); ++i)
     for (const std::size_t row : {0, 1})
       if (const double speed = still[i].by_setting[row].speed; speed > at_rest)
-        names.push_back(say("@ (@, @ mm/s)", field.entrants[i].name, row == 0 ? "as shipped" : "as advised",
-                            Value(1000 * speed, 2)));
+        names.push_back(say("@ (@, @ mm/s)", field.entrants[i].name, row_names[row], Value(1000 * speed, 2)));
   return names.empty() ? say("After these @ s no box is faster than @ mm/s.", settling * frame, 1000 * at_rest)
                        : say("After these @ s some box is still faster than @ mm/s: @.", settling * frame,
                              1000 * at_rest, listed(names));
@@ -132,9 +131,9 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
                  kicked = watched(field.entrants[i].settings[row], scene, wall_kick);
       if (i == 0) ours.insert(ours.end(), {rest, kicked});
       if (row == 1) advised.emplace_back(rest, kicked);
-      rows.push_back({say("@, @", field.entrants[i].name, row == 0 ? "as shipped" : "as advised"),
-                      in_millimetres(rest.moved), in_millimetres(rest.sagged), in_millimetres(rest.overlap),
-                      in_millimetres(kicked.moved), in_millimetres(kicked.sagged)});
+      rows.push_back({say("@, @", field.entrants[i].name, row_names[row]), in_millimetres(rest.moved),
+                      in_millimetres(rest.sagged), in_millimetres(rest.overlap), in_millimetres(kicked.moved),
+                      in_millimetres(kicked.sagged)});
     }
   page.table({"", "moved sideways", "sagged", "overlap at the end", "kicked: sideways", "sagged"}, rows);
   double most_moved = 0;

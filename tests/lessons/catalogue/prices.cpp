@@ -246,7 +246,8 @@ Problem balls(int count, bool weight, double apart) {
   else
     scene.gravity.setZero();
   for (int i = 0; i < count; ++i) {
-    const Linear<M> place = apart * (i % 4) * Linear<M>::Unit(0) + (0.5 + 1.01 * (i / 4)) * Linear<M>::Unit(1);
+    const int column = i % 4, level = i / 4;
+    const Linear<M> place = apart * column * Linear<M>::Unit(0) + (0.5 + 1.01 * level) * Linear<M>::Unit(1);
     const int body = scene.add_body(place, ball<M>(1 + i % 2, 0.5), (i % 2 ? -0.5 : 1.0) * Velocity<M>::Unit(0));
     scene.set_shape(body, Ball<M>{0.5}, {0.3, i % 3 ? 0.0 : 0.8});
   }
