@@ -253,7 +253,7 @@ void wall_in_webassembly_of(int base, const std::string& where, Page& page) {
 }  // namespace
 
 void wall_in_webassembly(const Setting& setting, Page& page) {
-  const int base = std::min<int>(setting.base, 10);  // beyond that MuJoCo takes minutes
+  const int base = std::min<int>(setting.base, 8);  // beyond that MuJoCo takes minutes
   wall_in_webassembly_of<PlaneBody>(base, "in the plane", page);
   wall_in_webassembly_of<SpaceBody>(base, "in space", page);
 }
