@@ -4,7 +4,6 @@
 #include <memory>
 
 namespace byhand {
-namespace {
 
 Watch watch_of(const Problem& problem, const Wish& wish, double bound) {
   Watch watch{.seconds = screening(problem), .reference = asks_for_reference(wish.limits), .most = bound};
@@ -15,6 +14,8 @@ Watch watch_of(const Problem& problem, const Wish& wish, double bound) {
   }
   return watch;
 }
+
+namespace {
 
 /// From how many strengths and relaxations a search begins.
 enum class Begins { from_few, from_many };

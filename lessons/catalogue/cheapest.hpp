@@ -16,4 +16,8 @@ Candidate cheapest(std::span<const Problem> starts, const Family& family, const 
                    Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity(),
                    std::vector<Known>* known = nullptr);
 
+/// How a search watches a run that may cost `bound` a frame: as long as screening() says, and until an error is
+/// far beyond its limit.
+Watch watch_of(const Problem& problem, const Wish& wish, double bound);
+
 }  // namespace byhand

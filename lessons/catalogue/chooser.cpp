@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lessons/catalogue/cheapest.hpp"
+#include "lessons/catalogue/drawn.hpp"
 
 namespace byhand {
 namespace {
@@ -124,6 +125,10 @@ class Choosing {
     tell_others();
     if (!choice_.reached) return choice_;
     coarsen();
+    if (const auto cheaper = drawn(contest_, choice_.best.point, choice_.best.point.cost)) {
+      take(cheaper->first, cheaper->second);
+      coarsen();
+    }
     if (search_.tighter && !wish_.limits.empty()) tighten();
     choice_.at_its_bound = choice_.at_its_bound || work() > 0.9 * by_finer_;
     auto limits = wish_.limits;
@@ -161,12 +166,15 @@ class Choosing {
   };
   Counted counted(Contest& contest, const Point& point);
   bool keeps_added(const Contest& contest, const Point& point);
+  void add(Contest& contest, int missed);
   std::vector<Candidate> verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
                                   double until, double until_first);
   std::vector<Candidate> verified_with_dearer();
   void recommend();
   Candidate nearest();
   void tell_others();
+  void take(const Candidate& best, const Verification& verification);
+  std::optional<std::pair<Candidate, Verification>> drawn(Contest& contest, const Point& from, double bound);
   void coarsen();
   void tighten();
   std::optional<Point> tighter(double share, const std::vector<const Family*>& able, double until,
@@ -187,6 +195,7 @@ class Choosing {
   std::vector<char> settled_ = std::vector<char>(all_.size());  // of which the answer is known
   std::vector<Problem> first_starts_{problem_};
   Contest contest_{.wish = wish_};
+  Draws draws_;
   std::vector<Candidate> kept_;  // what keeps the wish from all starts, by cost
   double cheapest_yet_ = INFINITY;
   int starts_ = 0;  // of each verification
@@ -341,6 +350,14 @@ bool Choosing::keeps_added(const Contest& contest, const Point& point) {
                      });
 }
 
+/// Holds the search against this start of the verification, too, in which another takes its place.
+void Choosing::add(Contest& contest, int missed) {
+  contest.starts.push_back(problem_.variation(missed, of_verification));
+  work() += truths_.work(of_verification, std::array{missed});
+  contest.next = std::max(contest.next, missed + 1);
+  std::ranges::replace(contest.verified_from, missed, contest.next++);
+}
+
 /// Of candidates that reach the wish the cheapest that keep it from all starts over the whole time, by their
 /// costs: as many as are wanted, and as are paid for until `until` instructions are spent, the first one until
 /// `until_first`. One that does not is looked for again, and so takes its place further back. `choice_.verified`
@@ -366,12 +383,7 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
       next->reached = false;
       continue;
     }
-    if (missed) {
-      contest.starts.push_back(problem_.variation(*missed, of_verification));
-      work() += truths_.work(of_verification, std::array{*missed});
-      contest.next = std::max(contest.next, *missed + 1);
-      std::ranges::replace(contest.verified_from, *missed, contest.next++);
-    }
+    if (missed) add(contest, *missed);
     if (work() > end - most_of_one_) misses = std::max(misses, most_searches);  // no time for another search
     *next = found_again(contest, *next, ++misses, work() + most_of_one_);
   }
@@ -465,6 +477,43 @@ void Choosing::tell_others() {
   }
 }
 
+/// Recommends another, and the one before as a runner-up.
+void Choosing::take(const Candidate& best, const Verification& verification) {
+  std::erase_if(choice_.runners_up, [&](const Candidate& one) { return one.point.family == best.point.family; });
+  if (best.point.family != choice_.best.point.family)
+    choice_.runners_up.insert(choice_.runners_up.begin(), choice_.best);
+  choice_.best = {true, with_all_errors(*best.point.family, best.point.knobs), best.excess};
+  choice_.best.excess = excess(choice_.best.point, wish_.limits);
+  choice_.verified = verification;
+}
+
+/// What keeps the contest's wish from all starts at less than `bound` a frame, among choices drawn at random, half
+/// of them near `from` and near what was recommended or found before.
+std::optional<std::pair<Candidate, Verification>> Choosing::drawn(Contest& contest, const Point& from,
+                                                                  double bound) {
+  constexpr int rounds = 100, draws = 128;
+  if (contest.wish.limits.empty()) return {};
+  std::vector<const Family*> methods;
+  for (const Candidate& one : found_)
+    if (one.point.family && one.point.outcome != Outcome::refused) methods.push_back(one.point.family);
+  std::vector<Point> near{from, choice_.best.point};
+  for (const Candidate& one : kept_) near.push_back(one.point);
+  std::optional<std::pair<Candidate, Verification>> best;
+  const double until = work() + std::min(search_.most / 30, search_.enough / 10);
+  for (int round = 0; round < rounds && work() < until; ++round) {
+    const Candidate now = cheapest_drawn(draws_, contest.starts, contest.wish, near, bound, methods, draws,
+                                         until - work(), choice_.spent, search_.side_by_side);
+    if (!now.reached) continue;
+    near.push_back(now.point);
+    const auto [verification, missed] = counted(contest, now.point);
+    if (missed)
+      add(contest, *missed);
+    else if (keeps_added(contest, now.point))
+      best = {now, verification}, bound = now.point.cost;
+  }
+  return best;
+}
+
 /// Fewer substeps, until they do not keep it from all starts.
 void Choosing::coarsen() {
   while (choice_.best.point.knobs.substeps > 1) {
@@ -537,19 +586,19 @@ std::optional<Point> Choosing::tighter(double part, const std::vector<const Fami
   }
   again.push_back(shorter);
   const Verification of_best = choice_.verified;
-  const auto best = verified(tight, again, 1, until, by_robust_);
-  const Verification of_tight = std::exchange(choice_.verified, of_best);
+  auto best = verified(tight, again, 1, until, by_robust_);
+  Verification of_tight = std::exchange(choice_.verified, of_best);
+  if (std::ranges::find(able, choice_.best.point.family) != able.end())
+    if (const auto cheaper = drawn(tight, best.empty() ? choice_.best.point : best.front().point,
+                                   best.empty() ? bound : best.front().point.cost))
+      best = {cheaper->first}, of_tight = cheaper->second;
   if (best.empty()) return {};
   choice_.left_out = std::max(choice_.left_out, of_tight.left_out);
   const Point point = with_all_errors(*best.front().point.family, best.front().point.knobs);
   if (point.cost < choice_.best.point.cost && point.cost <= budget_of(wish_, *point.family)) {
     // It keeps the wish itself for less, which its search had missed.
-    std::erase_if(choice_.runners_up, [&](const Candidate& one) { return one.point.family == point.family; });
-    if (point.family != choice_.best.point.family)
-      choice_.runners_up.insert(choice_.runners_up.begin(), choice_.best);
-    choice_.best = {true, point, excess(point, wish_.limits)};
-    choice_.verified = of_tight;
-    choice_.verified.excess *= part;
+    of_tight.excess *= part;
+    take(best.front(), of_tight);
     choice_.robust = point;
   }
   return point;

@@ -67,6 +67,7 @@ double margin(const Problem& problem, const Point& point, const std::map<Error, 
   Watch watch{.seconds = screening(problem), .reference = asks_for_reference(limits)};
   for (const auto& [error, limit] : limits) watch.limit[static_cast<std::size_t>(error)] = limit;
   double work = 0;
+  bool known = true;  // the true motion, as far as it was asked for
   const auto holds = [&](double factor) {
     if (factor == 1) return true;
     // Times its largest factor the value may be above its upper end by rounding.
@@ -74,6 +75,7 @@ double margin(const Problem& problem, const Point& point, const std::map<Error, 
                               point.knobs, watch);
     work += work_of(run);
     if (spent) *spent += {1, work_of(run)};
+    known = known && well_known(run.uncertainty, limits);
     return excess(run, limits) <= 1;
   };
   if (!(value > 0)) return NAN;
@@ -82,18 +84,18 @@ double margin(const Problem& problem, const Point& point, const std::map<Error, 
   // In short strides: where steps are too long for a stiff scene, or a bounce falls into another step, good bands
   // follow bad ones.
   constexpr double near = 2, short_stride = 1.02, long_stride = 1.2;
-  while (holds(high)) {
+  while (holds(high) && known) {
     if (work > most_work) return NAN;
     low = high;
     if (high >= most) return INFINITY;
     high = std::min((high < near ? short_stride : long_stride) * high, most);
   }
-  while (high > 1.05 * low) {
+  while (high > 1.05 * low && known) {
     if (work > most_work) return NAN;
     const double middle = std::sqrt(low * high);
     (holds(middle) ? low : high) = middle;
   }
-  return high;
+  return known ? high : NAN;
 }
 
 }  // namespace byhand

@@ -50,7 +50,8 @@ std::vector<int> first_numbers(int count);
 inline constexpr const char* strides_of_margin = "in strides of 2 %, and beyond twice of a fifth";
 /// The factor on the scene's stress parameter, at least 1, at which this point's method no longer
 /// keeps within the limits; infinite if it does at the parameter's upper end and up to a thousand, NaN if the
-/// parameter is not above zero, or this takes more than `most` instructions.
+/// parameter is not above zero, this takes more than `most` instructions, or the true motion is not well known
+/// there.
 double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits,
               Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity());
 

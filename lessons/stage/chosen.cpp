@@ -90,7 +90,10 @@ std::string margin_in_words(const Choice& choice, const Request& request) {
         "It still holds at the largest value of @ that was tried, up to a thousand times the present one.",
         stress);
   if (std::isnan(choice.margin))
-    return course::say("How much larger @ may be was not found within a tenth of the work of the choice.", stress);
+    return course::say(
+        "How much larger @ may be was not found: it takes more than a tenth of the work of the choice, or the "
+        "true motion is not known there.",
+        stress);
   return course::say("Of larger values of @, tried @, the first at which it fails is @ times as large.", stress,
                      strides_of_margin, Value(choice.margin, 3));
 }

@@ -234,7 +234,7 @@ Ended refined(const AnyScene& start, double size, double time, double close, int
   // A motion without events is worth more.
   const auto most = [&] { return last || of_springs > 64 ? 8192 : 1024; };
   int reached = 8;
-  for (int substeps = 16; substeps <= most() && (substeps <= chance() || uncertainty > close); substeps *= 2) {
+  for (int substeps = 16; substeps <= most() && (reached < chance() || uncertainty > close); substeps *= 2) {
     Ended fine = run(start, rattle, substeps, time);
     const double apart = farthest_apart(fine.end.positions, coarse.end.positions), ratio = before[0] / apart;
     const double factor = std::abs(ratio - 2) < 0.2 ? 2 : std::abs(ratio - 4) < 0.4 ? 4 : 0;

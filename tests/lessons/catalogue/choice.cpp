@@ -11,6 +11,7 @@
 #include "lessons/catalogue/cheapest.hpp"
 #include "lessons/catalogue/chooser.hpp"
 #include "lessons/catalogue/code.hpp"
+#include "lessons/catalogue/drawn.hpp"
 #include "lessons/catalogue/front.hpp"
 #include "lessons/catalogue/profile.hpp"
 #include "lessons/catalogue/tidy.hpp"
@@ -390,6 +391,44 @@ TEST(Chooser, LeavesOutStartsWhoseTrueMotionIsNotKnown) {
   const Verification of_first = verify(starts, choice.best.point, wish);
   EXPECT_EQ(of_first.starts, certain - among);
   EXPECT_EQ(of_first.unknown.size(), static_cast<std::size_t>(among));
+  // Nor is it known what happens under more gravity.
+  scene.exact = [exact = scene.exact](const Problem& start) {
+    return [known = exact(start), vague = start["gravity"] > 1.1 * 9.81](double time) {
+      ExactState state = known(time);
+      if (vague) state.uncertainty = 1;
+      return state;
+    };
+  };
+  EXPECT_TRUE(std::isnan(margin(Problem(scene), choice.best.point, wish.limits)));
+  EXPECT_FALSE(std::isnan(margin(problem, choice.best.point, wish.limits)));
+}
+
+// As dear a choice as this leaves cheaper ones, which hang on the draws alone, not on who computes them when.
+TEST(Draws, FindWhatKeepsTheWishForLess) {
+  const Wish wish{.limits = {{Error::drift, 0.01}}};
+  const Problem problem = short_chain();
+  const std::vector<Problem> starts = variations(problem, first_numbers(3), 1000);
+  const Point dear = whole_run(problem, family_named("direct"), {64, 1, Cure::baumgarte, 0.2}, wish);
+  ASSERT_LE(excess(dear, wish.limits), 1);
+  const std::vector<const Family*> methods{&family_named("direct"), &family_named("Gauss–Seidel"),
+                                           &family_named("XPBD")};
+  const auto found = [&](const SideBySide& side_by_side) {
+    Draws draws;
+    Spent spent;
+    return cheapest_drawn(draws, starts, wish, {dear}, dear.cost, methods, 128, INFINITY, spent, side_by_side);
+  };
+  const Candidate one = found(one_after_another),
+                  other = found([](int count, const std::function<void(int)>&work) {
+                    while (count > 0) work(--count);
+                  });
+  ASSERT_TRUE(one.reached);
+  EXPECT_LT(one.point.cost, 0.5 * dear.cost);
+  EXPECT_LE(one.excess, 1);
+  for (const Problem& start : starts)
+    EXPECT_LE(
+        excess(measure(start, *one.point.family, one.point.knobs, watch_of(start, wish, INFINITY)), wish.limits),
+        1);
+  EXPECT_EQ(one.point.described(), other.point.described());
 }
 
 TEST(Chooser, CallsNearestWhatErrsLeastOfAllThatWasTried) {

@@ -108,6 +108,24 @@ TEST(Request, DoesNotBelieveThatAStiffSpringComesToRest) {
   EXPECT_NEAR(damped.problem.reference().positions[0].y(), -1 - sag, 1e-9);
 }
 
+// Springs ask for 199 and 300 substeps before an agreement is believed. Runs of 128 and 256 agree already, so that
+// the next finer one decides.
+TEST(Request, RefinesUntilSpringsAreResolved) {
+  for (const double duration : {1.0, 1.5}) {
+    SceneFile file = read_scene(R"({"model": "plane particles", "accuracy": {"trajectory": 0.005, "energy": 0.02},
+        "bodies": [{"fixed": true, "position": [0, 0]}, {"mass": 1, "position": [0.5, 0]},
+                   {"mass": 0.5, "position": [1, 0.1]}],
+        "constraints": [{"kind": "spring", "bodies": [0, 1], "stiffness": 2000},
+                        {"kind": "spring", "bodies": [1, 2], "stiffness": 8000}]})");
+    file.duration = duration;
+    const Request request = request_of(file);
+    EXPECT_NEAR(request.problem.compared_at(), duration, 1e-9);
+    EXPECT_TRUE(request.limits.contains(Error::trajectory)) << duration;
+    for (const double gravity : {1.0, 1.02})
+      EXPECT_LT(request.problem.with("gravity", gravity).reference().uncertainty, 1e-4) << duration;
+  }
+}
+
 // y = -1 - g/ω² - (0.1 - g/ω²) cos ωt in the last tenth, and with critical damping next to nothing.
 TEST(Request, KnowsHowFarTheTrueMotionGoesInItsLastTenth) {
   const double sag = 9.81 / 400;
