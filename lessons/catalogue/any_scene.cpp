@@ -299,6 +299,19 @@ std::set<int> rows_a_joint(const Scene<M>& scene) {
   return rows;
 }
 
+/// Whether most constraints follow one of another kind. Each such turn costs, as those of one kind are solved in
+/// one go.
+template <class M>
+bool alternate(const Scene<M>& scene) {
+  std::set<int> kinds;
+  int turns = 0, last = -1;
+  for (const auto& entry : scene.entries()) {
+    turns += entry.kind != last;
+    kinds.insert(last = entry.kind);
+  }
+  return turns > static_cast<int>(kinds.size()) && 2 * turns > scene.count();
+}
+
 }  // namespace
 
 std::string AnyScene::row_kind() const {
@@ -316,7 +329,7 @@ std::string AnyScene::row_kind() const {
     else if (!joined)
       kind = M::angular == 0 ? "free bobs" : "free bodies";
     else if (M::angular == 0)
-      kind = bounded ? "ropes" : "bobs";
+      kind = bounded ? "ropes" : alternate(scene) ? "mixed bobs" : "bobs";
     else if (bounded)
       kind = "machines";
     else if (const std::set<int> rows = rows_a_joint(scene); rows.size() > 1)

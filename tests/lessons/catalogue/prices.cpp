@@ -192,10 +192,12 @@ Problem mixed(int links, bool sprung) {
   return uncatalogued("mixed joints", scene);
 }
 
-/// A net of rods or springs that hangs by two corners; braced by one, with a rod across each mesh. What a direct
-/// solve eliminates has loops.
+enum class Ties { rods, springs, rods_of_both_kinds, rods_and_springs };
+
+/// A net of rods or springs, or of two kinds by turns, that hangs by two corners; braced by one, with a tie across
+/// each mesh. What a direct solve eliminates has loops.
 template <class M>
-Problem net(int width, int height, bool sprung, bool braced) {
+Problem net(int width, int height, Ties ties, bool braced) {
   Scene<M> scene;
   for (int i = 0; i < width * height; ++i) {
     const int level = i / width;
@@ -203,8 +205,11 @@ Problem net(int width, int height, bool sprung, bool braced) {
                    i == 0 || (i == width - 1 && !braced) ? fixed<M>() : with_mass<M>(1 + i % 2));
   }
   const auto tie = [&](int i, int other, double length) {
-    if (sprung)
+    const bool odd = scene.count() % 2 == 1;
+    if (ties == Ties::springs || (ties == Ties::rods_and_springs && odd))
       scene.add(Spring<M>{{other, i}, length, {200, 1}});
+    else if (ties == Ties::rods_of_both_kinds && odd)
+      scene.add(NormalisedDistance<M>{{other, i}, length});
     else
       scene.add(Distance<M>{{other, i}, length});
   };
@@ -299,7 +304,12 @@ template <class M>
 Problem drawn_net(Draws& draws) {
   const int width = draws.one_of({2, 3, 5}), height = draws.one_of({2, 3, 5, 8});
   const auto kind = draws.below(4);
-  return net<M>(width, height, kind % 2 == 1, kind >= 2);
+  return net<M>(width, height, kind % 2 == 1 ? Ties::springs : Ties::rods, kind >= 2);
+}
+template <class M>
+Problem drawn_mixed_net(Draws& draws) {
+  const int width = draws.one_of({2, 3, 5}), height = draws.one_of({2, 3, 5, 8});
+  return net<M>(width, height, draws.one_of({Ties::rods_of_both_kinds, Ties::rods_and_springs}), draws.below(2));
 }
 
 Problem drawn_problem(Draws& draws) {
@@ -307,7 +317,7 @@ Problem drawn_problem(Draws& draws) {
   const double links = draws.one_of({1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0});
   const double kick = draws.one_of({0.0, 0.02, 0.02});
   const int few = draws.one_of({1, 2, 3, 5, 10, 20});
-  switch (draws.below(30)) {
+  switch (draws.below(32)) {
     case 0: return Problem("stack", {{"boxes", draws.one_of({2.0, 3.0, 5.0, 8.0, 12.0, 30.0})}, {"kick", kick}});
     case 1: return Problem("pyramid", {{"base", draws.one_of({2.0, 3.0, 4.0, 6.0, 9.0, 12.0})}, {"kick", kick}});
     case 2: return Problem(draws.one_of({"incline", "four_bar"}));
@@ -340,6 +350,8 @@ Problem drawn_problem(Draws& draws) {
     case 23: return mixed<SpaceBody>(few, draws.below(2));
     case 24: return drawn_net<PlaneParticle>(draws);
     case 25: return drawn_net<SpaceParticle>(draws);
+    case 26: return drawn_mixed_net<PlaneParticle>(draws);
+    case 27: return drawn_mixed_net<SpaceParticle>(draws);
     default: return Problem("chain", {{"links", links}}, model);
   }
 }
