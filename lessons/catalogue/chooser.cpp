@@ -13,7 +13,8 @@
 namespace byhand {
 namespace {
 
-constexpr int most_searches = 10;  // for choices that also keep a start that was missed; then by more substeps
+// For choices that also keep a start that was missed; then by more substeps, and in all.
+constexpr int most_searches = 10, most_misses = 40;
 constexpr double worth = 1.5;      // times the cheapest: what costs more is not looked for
 constexpr double hopeless = 1e13;  // instructions a frame
 // The seeds of the starts of verifications, and of those that a search holds what it finds against.
@@ -372,7 +373,7 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
       if (candidate.reached && (!next || preferred(candidate, *next, contest.wish))) next = &candidate;
     if (!next) break;
     const double end = kept.empty() ? std::max(until, until_first) : until;
-    if (work() > end) {
+    if (work() > end || misses > most_misses) {
       choice_.at_its_bound = choice_.at_its_bound || kept.empty();
       break;
     }
