@@ -64,7 +64,7 @@ double margin(const Problem& problem, const Point& point, const std::map<Error, 
   const auto parameter = std::find_if(scene.parameters.begin(), scene.parameters.end(),
                                       [&](const SceneParameter& one) { return one.name == scene.stress; });
   const double value = problem[scene.stress];
-  Watch watch{.seconds = screening(problem), .reference = asks_for_reference(limits)};
+  Watch watch{.reference = asks_for_reference(limits)};
   for (const auto& [error, limit] : limits) watch.limit[static_cast<std::size_t>(error)] = limit;
   double work = 0;
   bool known = true;  // the true motion, as far as it was asked for

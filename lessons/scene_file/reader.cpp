@@ -11,7 +11,7 @@ std::string SceneFile::name_of(int body) const {
 
 const std::map<std::string, AccuracyName>& accuracy_names() {
   static const std::map<std::string, AccuracyName> all{
-      {"drift", {"m", "largest gap of a joint, or overlap, after any frame of the run"}},
+      {"drift", {"m", "largest gap of a joint, or overlap, at the start and after any frame of the run"}},
       {"trajectory",
        {"m",
         "largest distance of a body's centre from the true motion, at the end as far as that is known, else after "

@@ -143,6 +143,12 @@ void show_answers(Page& page, const Request& request, const Choice& choice, doub
     if (!found)
       page.text("No setting was found that keeps @ from all starts@", asked,
                 why_not_tighter(request, part, choice.at_its_bound, patience));
+  if (choice.at_its_bound && choice.robust && choice.finer)
+    page.text(
+        "The search ended with its time, so that others may be cheaper, most of all for half and a tenth. With "
+        "--set "
+        "patience=@ it looks further.",
+        10 * std::max(patience, usual_patience));
   if (const auto limit = request.limits.find(Error::trajectory); limit != request.limits.end()) {
     page.text("The true motion is known to @ m. That counts as error of the trajectory besides.",
               Value(std::max(least_told, choice.best.point.uncertainty), 2));
@@ -239,7 +245,7 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
   const double open = request.problem.start().separation();
   if (const auto drift = request.limits.find(Error::drift); drift != request.limits.end() && open > drift->second)
     return page.text(
-        "**No method can keep that**: as the file begins, a joint is open or bodies overlap by @ m already.",
+        "**No run of this file can keep that**: as it begins, a joint is open or bodies overlap by @ m already.",
         Value(open, 2));
   const auto chosen_within = [&](double seconds) {
     Search search{.most = seconds * pace, .all_errors = false};
@@ -251,9 +257,9 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
     return choose(request.problem, {.limits = request.limits}, search);
   };
   Choice choice = chosen_within(std::min(soon, patience));
-  // Nothing yet: it takes all that the reader allows; for half and a tenth what is allowed on purpose.
-  const bool lacks = !choice.reached || (!(choice.robust && choice.finer) && patience > usual_patience);
-  if (lacks && choice.at_its_bound && patience > 2 * soon) {
+  // Nothing yet: it takes all that the reader allows; for what may be cheaper, what is allowed on purpose.
+  const bool goes_on = !choice.reached || patience > usual_patience;
+  if (goes_on && choice.at_its_bound && patience > 2 * soon) {
     Choice longer = chosen_within(patience - soon);
     if (longer.reached || !choice.reached) choice = std::move(longer);
   }

@@ -108,6 +108,23 @@ TEST(Request, DoesNotBelieveThatAStiffSpringComesToRest) {
   EXPECT_NEAR(damped.problem.reference().positions[0].y(), -1 - sag, 1e-9);
 }
 
+// A chain that whips stops RATTLE with 8 substeps after 8 s, not with 32.
+TEST(Request, WatchesAsLongAsShorterStepsGoOn) {
+  std::string bodies, pins;
+  for (int i = 1; i <= 20; ++i) {
+    bodies += fmt::format(R"(, {{"mass": 1, "inertia": [0.0035], "position": [{}, 0]}})", 0.2 * i - 0.1);
+    pins += fmt::format(R"({}{{"kind": "pin", "bodies": [{}, {}], "point": [{}, 0]}})", i > 1 ? ", " : "", i - 1,
+                        i, 0.2 * (i - 1));
+  }
+  SceneFile file = read_scene(R"({"model": "plane", "bodies": [{"fixed": true, "position": [0, 0]})" + bodies +
+                              R"(], "constraints": [)" + pins + "]}");
+  file.duration = 12;
+  file.accuracy = {{"drift", 1e-3}};
+  const Request request = request_of(file);
+  EXPECT_FALSE(request.broke);
+  EXPECT_NEAR(request.seconds, 12, 1e-9);
+}
+
 // Springs ask for 199 and 300 substeps before an agreement is believed. Runs of 128 and 256 agree already, so that
 // the next finer one decides.
 TEST(Request, RefinesUntilSpringsAreResolved) {
