@@ -460,6 +460,7 @@ struct Request {
   Values values;
   std::map<Error, double> limits;
 };
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 void PrintTo(const Request& one, std::ostream* out) {
   *out << one.scene;
   for (const auto& [name, value] : one.values) *out << ' ' << name << '=' << value;
