@@ -127,7 +127,7 @@ class Choosing {
     if (!choice_.reached) return choice_;
     coarsen();
     if (const auto cheaper = drawn(contest_, choice_.best.point, choice_.best.point.cost)) {
-      take(cheaper->first, cheaper->second);
+      take(with_all_errors(*cheaper->first.point.family, cheaper->first.point.knobs), cheaper->second);
       coarsen();
     }
     if (search_.tighter && !wish_.limits.empty()) tighten();
@@ -174,7 +174,7 @@ class Choosing {
   void recommend();
   Candidate nearest();
   void tell_others();
-  void take(const Candidate& best, const Verification& verification);
+  void take(const Point& best, const Verification& verification);
   std::optional<std::pair<Candidate, Verification>> drawn(Contest& contest, const Point& from, double bound);
   void coarsen();
   void tighten();
@@ -420,13 +420,10 @@ std::vector<Candidate> Choosing::verified_with_dearer() {
 /// The cheapest that keeps the wish, or what comes nearest.
 void Choosing::recommend() {
   choice_.reached = !kept_.empty();
-  if (choice_.reached) {
-    choice_.best = kept_.front();
-    choice_.best.point = with_all_errors(*choice_.best.point.family, choice_.best.point.knobs);
-    choice_.runners_up.assign(kept_.begin() + 1, kept_.end());
-    return;
-  }
-  choice_.best = nearest();
+  choice_.best = choice_.reached ? kept_.front() : nearest();
+  if (!choice_.reached) return;
+  choice_.best.point = with_all_errors(*choice_.best.point.family, choice_.best.point.knobs);
+  choice_.runners_up.assign(kept_.begin() + 1, kept_.end());
 }
 
 /// Of each method's best run so far from the scene's own start, over the whole time: the best.
@@ -479,12 +476,11 @@ void Choosing::tell_others() {
 }
 
 /// Recommends another, and the one before as a runner-up.
-void Choosing::take(const Candidate& best, const Verification& verification) {
-  std::erase_if(choice_.runners_up, [&](const Candidate& one) { return one.point.family == best.point.family; });
-  if (best.point.family != choice_.best.point.family)
+void Choosing::take(const Point& best, const Verification& verification) {
+  std::erase_if(choice_.runners_up, [&](const Candidate& one) { return one.point.family == best.family; });
+  if (best.family != choice_.best.point.family)
     choice_.runners_up.insert(choice_.runners_up.begin(), choice_.best);
-  choice_.best = {true, with_all_errors(*best.point.family, best.point.knobs), best.excess};
-  choice_.best.excess = excess(choice_.best.point, wish_.limits);
+  choice_.best = {true, best, excess(best, wish_.limits)};
   choice_.verified = verification;
 }
 
@@ -599,7 +595,7 @@ std::optional<Point> Choosing::tighter(double part, const std::vector<const Fami
   if (point.cost < choice_.best.point.cost && point.cost <= budget_of(wish_, *point.family)) {
     // It keeps the wish itself for less, which its search had missed.
     of_tight.excess *= part;
-    take(best.front(), of_tight);
+    take(point, of_tight);
     choice_.robust = point;
   }
   return point;

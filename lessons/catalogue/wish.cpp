@@ -45,7 +45,7 @@ double excess(const Point& point, const std::map<Error, double>& limits) {
 
 bool well_known(double uncertainty, const std::map<Error, double>& limits) {
   const auto limit = limits.find(Error::trajectory);
-  return limit == limits.end() || uncertainty <= 0.25 * limit->second;
+  return limit == limits.end() || uncertainty < 0.25 * limit->second;
 }
 
 Point whole_run(const Problem& problem, const Family& family, const Knobs& knobs, const Wish& wish,

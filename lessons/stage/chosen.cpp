@@ -98,6 +98,10 @@ std::string margin_in_words(const Choice& choice, const Request& request) {
                      strides_of_margin, Value(choice.margin, 3));
 }
 
+std::string looks_further_with(double patience) {
+  return course::say("With --set patience=@ it looks further.", patience);
+}
+
 /// What ends "No setting was found that keeps a tenth of each limit".
 std::string why_not_tighter(const Request& request, double part, bool at_its_bound, double patience) {
   const auto limit = request.limits.find(Error::trajectory);
@@ -106,8 +110,7 @@ std::string why_not_tighter(const Request& request, double part, bool at_its_bou
     return course::say(": the true motion is known to @ m only.",
                        Value(request.problem.reference().uncertainty, 2));
   if (!at_its_bound) return ".";
-  return course::say(", within the time that the search takes. With --set patience=@ it looks further.",
-                     10 * std::max(patience, usual_patience));
+  return ", within the time that the search takes. " + looks_further_with(10 * std::max(patience, usual_patience));
 }
 
 /// The starts that are not among those of the verifications.
@@ -144,11 +147,8 @@ void show_answers(Page& page, const Request& request, const Choice& choice, doub
       page.text("No setting was found that keeps @ from all starts@", asked,
                 why_not_tighter(request, part, choice.at_its_bound, patience));
   if (choice.at_its_bound && choice.robust && choice.finer)
-    page.text(
-        "The search ended with its time, so that others may be cheaper, most of all for half and a tenth. With "
-        "--set "
-        "patience=@ it looks further.",
-        10 * std::max(patience, usual_patience));
+    page.text("The search ended with its time, so that others may be cheaper, most of all for half and a tenth. @",
+              looks_further_with(10 * std::max(patience, usual_patience)));
   if (const auto limit = request.limits.find(Error::trajectory); limit != request.limits.end()) {
     page.text("The true motion is known to @ m. That counts as error of the trajectory besides.",
               Value(std::max(least_told, choice.best.point.uncertainty), 2));
@@ -266,10 +266,8 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
   if (choice.reached) {
     show_answers(page, request, choice, patience);
   } else if (choice.at_its_bound) {
-    page.text(
-        "**Nothing was found yet that reaches that**, in the @ runs that --set patience=@ allows. @ With --set "
-        "patience=@ it looks further.",
-        choice.spent.runs, patience, nearest_in_words(choice), 10 * patience);
+    page.text("**Nothing was found yet that reaches that**, in the @ runs that --set patience=@ allows. @ @",
+              choice.spent.runs, patience, nearest_in_words(choice), looks_further_with(10 * patience));
   } else {
     page.text("**No method was found that reaches that.** @", nearest_in_words(choice));
   }

@@ -60,7 +60,7 @@ until they converge. Begin with a scene of the course and change it:
   --choose        only which method is the cheapest that is accurate enough: "accuracy": {"drift": 0.001} in the file;
                   drift [m], trajectory [m], energy, momentum, reaction, contact [m/s]. It takes about ten
                   seconds, and up to --set patience=40 where it has found nothing by then; with more patience it
-                  also looks longer for what keeps half and a tenth of each limit
+                  also looks longer for what is cheaper
   --method NAME   gauss_seidel, jacobi, direct, conjugate_sweeps, newton, by_graph, rattle, midpoint, rk4, xpbd, avbd
   --write NEW     writes the scene with all members as they were understood
   OPTIONS         as of a lesson: --frames none, --quality high, --check, --output DIR, --step N, --plain, --quiet

@@ -407,10 +407,8 @@ Request request_of(const SceneFile& file) {
       request.notes.push_back(
           fmt::format("The file limits the change of energy, but the true motion changes it by {:.2g} % of its "
                       "scale, as friction, bounces, dampers, servos and motors can. So this limit is left out; a "
-                      "run that ever has "
-                      "more than the most of the true motion and {:.2g} % of the scale still fails, and from the "
-                      "file's own start "
-                      "one that ends further than that from it.",
+                      "run that ever has more than the most of the true motion and {:.2g} % of the scale still "
+                      "fails, and from the file's own start one that ends further than that from it.",
                       100 * pilot.energy_change, 100 * energy_astray));
     else if (!has(scene, error))
       request.notes.push_back(fmt::format(
@@ -421,7 +419,8 @@ Request request_of(const SceneFile& file) {
           "that are short enough for its springs cost more than is allowed. So this limit is left out.",
           name, scene.time));
     else if (needs_truth(error) &&
-             !(request.problem.reference().uncertainty < 0.25 * (error == Error::trajectory ? limit : scene.body)))
+             !well_known(request.problem.reference().uncertainty,
+                         {{Error::trajectory, error == Error::trajectory ? limit : scene.body}}))
       request.notes.push_back(fmt::format(
           "The file limits the error of {}, but after {:.2g} s the true motion is known to {:.2g} m only, from "
           "runs whose steps were halved for as long as that may cost and they came nearer. So this limit is left "
