@@ -1,22 +1,40 @@
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/pendulum.hpp"
+#include "solver/constraints/pin.hpp"
 
 // Many rows, nearly all of their entries zero.
 namespace byhand::lesson01 {
 namespace {
 
-Scene<PlaneBody> chain_of(const Settings& set) {
-  return pinned_chain<PlaneBody>(
-      {.links = set.links, .length = set.length, .mass = set.mass, .end_mass = set.mass, .angle = 0.9});
+/// Links pinned end to end, the first one to the world, which is body 0; pin i joins bodies i and i + 1.
+struct Chain {
+  std::vector<Pose<PlaneBody>> poses;
+  std::vector<Pin<PlaneBody>> pins;
+
+  int links() const { return int(pins.size()); }
+  Jacobian<PlaneBody, 2> rows(const Pin<PlaneBody>& pin) const {
+    return pin.jacobian(poses[std::size_t(pin.at.body1)], poses[std::size_t(pin.at.body2)]);
+  }
+};
+
+Chain chain_of(const Settings& set) {
+  constexpr double angle = 0.9;  // from straight down [rad]
+  const Arm<PlaneBody> upper_end(0, set.length / 2), centre(0, 0);
+  Chain chain;
+  chain.poses.emplace_back();
+  for (int i = 0; i < set.links; ++i) {
+    chain.poses.push_back({(i + 0.5) * set.length * from_straight_down<PlaneBody>(angle), plane_rotation(angle)});
+    chain.pins.push_back({{i, i + 1, {i > 0 ? Arm<PlaneBody>(-upper_end) : centre, upper_end}}});
+  }
+  return chain;
 }
 
-/// J of the whole chain: two rows a pin, three columns a link (the anchor has none: nothing moves it).
-Eigen::MatrixXd whole(const Scene<PlaneBody>& scene) {
-  const int links = scene.bodies().size() - 1;
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2 * scene.count(), 3 * links);
+/// J of the whole chain: two rows a pin, three columns a link (the world has none: nothing moves it).
+Eigen::MatrixXd whole(const Chain& chain) {
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2 * chain.links(), 3 * chain.links());
   int row = 0;
-  for (const Pin<PlaneBody>& pin : scene.all<Pin>()) {
-    const auto part = pin.jacobian(scene.bodies().pose[pin.at.body1], scene.bodies().pose[pin.at.body2]);
+  for (const Pin<PlaneBody>& pin : chain.pins) {
+    const auto part = chain.rows(pin);
     if (pin.at.body1 > 0) J.block<2, 3>(row, 3 * (pin.at.body1 - 1)) = part.side1();
     J.block<2, 3>(row, 3 * (pin.at.body2 - 1)) = part.side2();
     row += 2;
@@ -42,11 +60,21 @@ renderer::Chart picture_of(const Eigen::MatrixXd& J) {
           .heat_map = map};
 }
 
+pictures::Linkage shown(const Chain& chain) {
+  pictures::Linkage linkage;
+  for (const Pin<PlaneBody>& pin : chain.pins) {
+    const Pose<PlaneBody>& link = chain.poses[std::size_t(pin.at.body2)];
+    const renderer::Point upper_end(link.position + in_world<PlaneBody, double>(link, pin.at.arms.second));
+    linkage.links.push_back({upper_end, 2 * link.position - upper_end});
+    (pin.at.body1 == 0 ? linkage.anchors : linkage.hinges).push_back(upper_end);
+  }
+  return linkage;
+}
+
 /// The chain with one pin marked, beside the matrix with that pin's two rows framed where its links' columns are.
-void draw_pin_and_rows(renderer::Canvas& canvas, const Scene<PlaneBody>& scene, const Eigen::MatrixXd& J,
-                       int pin) {
+void draw_pin_and_rows(renderer::Canvas& canvas, const Chain& chain, const Eigen::MatrixXd& J, int pin) {
   const auto [left, right] = canvas.page().inset(16).panels(0.42, 20);
-  const auto linkage = pictures::rods_and_bobs(scene);
+  const auto linkage = shown(chain);
   std::vector<renderer::Point> corners{{0, 0}};
   for (const auto& link : linkage.links) corners.push_back(link.to);
   canvas.look(renderer::fit(renderer::bounds(corners), left, 60));
@@ -80,8 +108,8 @@ void linkage(course::Page& page, const Settings& set) {
       R"(*The article's "two scalar values in 2D" is true of l alone: there a is one number. In 3D its "three" holds for
       both.*)");
 
-  const Scene<PlaneBody> scene = chain_of(set);
-  const Eigen::MatrixXd J = whole(scene);
+  const Chain chain = chain_of(set);
+  const Eigen::MatrixXd J = whole(chain);
   const int links = set.links;
   const double zeros = double((J.array() == 0).count()) / double(J.size());
   page.text(
@@ -94,7 +122,7 @@ void linkage(course::Page& page, const Settings& set) {
       course::say(R"(The chain and its J: pin @ joins two links, and its two rows are zero (empty) outside the
                          columns of these two.)",
                   chosen + 1),
-      [=](renderer::Canvas& canvas) { draw_pin_and_rows(canvas, scene, J, chosen); });
+      [=](renderer::Canvas& canvas) { draw_pin_and_rows(canvas, chain, J, chosen); });
 
   page.text(
       R"(@ % of the entries are zero, and @ % for a chain twice as long. So the solver does not build this
@@ -105,12 +133,11 @@ void linkage(course::Page& page, const Settings& set) {
   for (int i = 0; i < V.size(); ++i) V[i] = double((37 * i + 11) % 23) / 23 - 0.5;  // anything at all
   const Eigen::VectorXd by_matrix = J * V;
   double difference = 0;
-  for (int i = 0; i < scene.count(); ++i) {
-    const Pin<PlaneBody>& pin = scene.all<Pin>()[static_cast<std::size_t>(i)];
+  for (int i = 0; i < links; ++i) {
     const Velocity<PlaneBody> V1 =
-        pin.at.body1 > 0 ? Velocity<PlaneBody>(V.segment<3>(3 * (pin.at.body1 - 1))) : Velocity<PlaneBody>::Zero();
-    const Velocity<PlaneBody> V2 = V.segment<3>(3 * (pin.at.body2 - 1));
-    const auto row = pin.jacobian(scene.bodies().pose[pin.at.body1], scene.bodies().pose[pin.at.body2]);
+        i > 0 ? Velocity<PlaneBody>(V.segment<3>(3 * (i - 1))) : Velocity<PlaneBody>::Zero();
+    const Velocity<PlaneBody> V2 = V.segment<3>(3 * i);
+    const auto row = chain.rows(chain.pins[std::size_t(i)]);
     difference = std::max(difference, (dot(row, V1, V2) - by_matrix.segment<2>(2 * i)).cwiseAbs().maxCoeff());
   }
   const auto claim_numbers = [&](const char* model, int expected, int measured) {
