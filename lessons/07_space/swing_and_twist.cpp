@@ -24,7 +24,7 @@ using Vector = Eigen::Vector3d;
 using Quaternion = Eigen::Quaterniond;
 
 constexpr double cone = 40, widest = 45, twisted = 30;  // the stops of swing and twist, the twist at first [deg]
-constexpr double arm_seconds = 2, length = 0.6, beta = 0.2;  // [s], of the arm [m], [1]
+constexpr double arm_seconds = 2, arm_length = 0.6, beta = 0.2;  // [s], of the arm [m], [1]
 
 //! [twist]
 /// φ about the unit vector a [rad] of an orientation p, the shorter way round.
@@ -54,13 +54,13 @@ Run let_fall(const Setting& setting, double sign) {
   Pose<SpaceBody> torso, start;
   torso.rotation.coeffs() *= sign;
   start.rotation = space_rotation(Vector(radians(twisted), 0, 0));
-  start.position = {length / 2, 0, 0};
+  start.position = {arm_length / 2, 0, 0};
   const Vector omega(1, 3, 0);
   Velocity<SpaceBody> V;
   V << omega.cross(start.position), omega;
   auto& scene = arm.scene;
   scene.add_body(torso, fixed<SpaceBody>());
-  scene.add_body(start, box<SpaceBody>(setting.mass, {length, 0.14, 0.05}), V);
+  scene.add_body(start, box<SpaceBody>(setting.mass, {arm_length, 0.14, 0.05}), V);
   const Twist<SpaceBody> phi{turn_about(Vector::UnitX())};
   scene.add(pin<SpaceBody>(scene.bodies(), 0, 1, Vector::Zero()));
   scene.add(at_most<SpaceBody>(radians(cone), swing_of()));
@@ -152,15 +152,15 @@ void draw_runs(Canvas& canvas, const Run& run, const Chart& chart) {
   Space space(pictures::from_aside({0.26, -0.14, 0}, 0.5, left, 0.45, 0.3));
   space.sphere({0, 0, 0}, 0.05, palette::fixed);
   const double turn = radians(cone);
-  pictures::add_ring(space, {length * std::cos(turn), 0, 0}, Vector::UnitX(), length * std::sin(turn), 0.006,
-                     palette::theory);
+  pictures::add_ring(space, {arm_length * std::cos(turn), 0, 0}, Vector::UnitX(), arm_length * std::sin(turn),
+                     0.006, palette::theory);
   const std::size_t last = run.pose.size() - 1;
   for (const std::size_t i : {std::size_t{0}, last})
-    pictures::add_book(space, run.pose[i], {length, 0.14, 0.05},
+    pictures::add_book(space, run.pose[i], {arm_length, 0.14, 0.05},
                        mix(palette::paper, palette::body, i == 0 ? 0.5 : 1));
-  space.arrow({0, 0, 0}, {1.15 * length, 0, 0}, 0.008, palette::constraint);
+  space.arrow({0, 0, 0}, {1.15 * arm_length, 0, 0}, 0.008, palette::constraint);
   canvas.draw(space);
-  canvas.text(space.project({1.15 * length, 0, 0}), "a",
+  canvas.text(space.project({1.15 * arm_length, 0, 0}), "a",
               {.size = 20, .colour = palette::constraint, .halo = 3, .offset = {14, 0}});
   renderer::draw(canvas, chart, right.lowered(40));
 }

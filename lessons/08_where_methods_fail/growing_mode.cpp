@@ -6,7 +6,7 @@ namespace byhand::failures {
 namespace {
 
 constexpr double omega_h = 2.1;  // a little beyond the limit of 2
-constexpr int steps = 4;
+constexpr int drawn_steps = 4;
 
 /// The root of z² − (2 − s²)z + 1 = 0 with the larger size, s = ωh.
 double factor() {
@@ -61,15 +61,15 @@ struct ModeFilm {
 void growing_mode(Page& page) {
   const double z = factor();
   std::vector<Instant> run{{1, z - 1 + omega_h * omega_h}};
-  while (run.size() <= steps) run.push_back(after(run.back()));
+  while (run.size() <= drawn_steps) run.push_back(after(run.back()));
   Curve seen{.label = "x_n/x_0", .style = CurveStyle::stems}, size{.label = "|z|^n", .style = CurveStyle::theory};
   std::vector<pictures::Acts::Act> acts;
   std::vector<Tick> counted;
-  for (int n = 0; n <= steps; ++n) {
+  for (int n = 0; n <= drawn_steps; ++n) {
     seen.x.push_back(n);
     seen.y.push_back(run[static_cast<std::size_t>(n)].x);
     counted.push_back({static_cast<double>(n), say("@", n)});
-    if (n == steps) break;
+    if (n == drawn_steps) break;
     acts.push_back({say("x_@ = z x_@ = @ x_0", n + 1, n, Value(run[static_cast<std::size_t>(n) + 1].x, 3)),
                     n == 0 ? "The spring's pull h²ω²x (orange) takes the mass past its place of rest (dashed), "
                              "farther out than it was."
@@ -77,7 +77,7 @@ void growing_mode(Page& page) {
                              : "",
                     palette::error});
   }
-  for (int i = 0; i <= 10 * steps; ++i) {
+  for (int i = 0; i <= 10 * drawn_steps; ++i) {
     size.x.push_back(0.1 * i);
     size.y.push_back(std::pow(std::abs(z), 0.1 * i));
   }
@@ -91,8 +91,8 @@ void growing_mode(Page& page) {
           omega_h, film.seconds(), Value(z, 4)),
       Seconds{film.seconds()},
       [shown = ModeFilm{film, run, sizes}](Canvas& canvas, double time) { shown.draw(canvas, time); });
-  page.claim(say("growth of an explicit spring in @ steps at ωh = @", steps, omega_h), run.back().x, "1",
-             is(std::pow(z, steps), "z^n with the larger root of its polynomial", relative(1e-11)));
+  page.claim(say("growth of an explicit spring in @ steps at ωh = @", drawn_steps, omega_h), run.back().x, "1",
+             is(std::pow(z, drawn_steps), "z^n with the larger root of its polynomial", relative(1e-11)));
 }
 
 }  // namespace byhand::failures

@@ -48,7 +48,7 @@ Tried tried(const Watched& watched, const Method& method, double step, std::stri
 }
 
 /// A method's errors over its tolerances.
-struct Asked {
+struct Tolerances {
   std::string name;
   std::vector<double> tolerances, errors;
 
@@ -56,7 +56,7 @@ struct Asked {
   Order slope() const { return fitted_power(tolerances, errors).value_or(Order{NAN, NAN}); }
 };
 template <class Base>
-Asked asked(const Page& page, const Watched& watched, std::string name) {
+Tolerances asked(const Page& page, const Watched& watched, std::string name) {
   const std::vector<double> tolerances{1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
   return {std::move(name), tolerances, page.side_by_side(static_cast<int>(tolerances.size()), [&](int i) {
             const Controlled<Base> method{tolerances[static_cast<std::size_t>(i)]};
@@ -81,15 +81,15 @@ void accuracy_as_the_input(Page& page) {
       the velocities at both ends would have put it. Generalised coordinates use a pair of rules by Fehlberg. Five slopes give a rule of order
       4, a sixth slope gives one of order 5, and e is the difference. A rotation is measured by the arc at the radius of
       gyration, so e is in metres for every body.)");
-  const Asked rattle = asked<Rattle>(page, watched, "RATTLE"),
-              joints = asked<Generalised>(page, watched, "generalised coordinates");
+  const Tolerances rattle = asked<Rattle>(page, watched, "RATTLE"),
+                   joints = asked<Generalised>(page, watched, "generalised coordinates");
   const Tried fixed = tried(watched, Rattle{}, frame);
   renderer::Chart chart{
       .title = title_of(problem),
       .x = {.label = "tolerance (m/s)", .scale = renderer::Scale::logarithmic},
       .y = {.label = say("largest error in @ s (m)", span), .scale = renderer::Scale::logarithmic}};
   std::string slopes;
-  for (const Asked& method : {rattle, joints}) {
+  for (const Tolerances& method : {rattle, joints}) {
     chart.curves.push_back(
         {.label = method.name,
          .x = method.tolerances,
@@ -108,7 +108,7 @@ void accuracy_as_the_input(Page& page) {
       {.axis = renderer::Reference::Across::y, .value = fixed.error, .label = "RATTLE, one step a frame"}};
   page.figure("tolerance", R"(Error over tolerance. A fixed step has no tolerance, so its line is level.)", chart);
   page.text("Over these five tolerances the error goes as:\n" + slopes);
-  for (const Asked& method : {rattle, joints}) {
+  for (const Tolerances& method : {rattle, joints}) {
     page.claim("error over tolerance, " + method.name + ": slope", method.slope().slope, "1",
                is(1, "controlled per second", absolute(0.1)));
     double most = 0;

@@ -10,7 +10,7 @@
 namespace byhand::accuracy {
 namespace {
 
-constexpr double wanted = 1e-3;
+constexpr double wanted_drift = 1e-3;
 constexpr double angle = 30;     // [°]: from level a light chain whips, which has nothing to do with its length
 constexpr double per_row = 1e4;  // instructions a row and substep of law 7, up to which it is looked for
 const std::vector<std::string_view> compared{"Gauss–Seidel", "conjugate sweeps", "direct", "RATTLE", "RK4", "XPBD",
@@ -34,7 +34,7 @@ Scaling scaling(const Page& page, const std::vector<double>& x, const std::funct
     const Problem problem = problem_at(x[static_cast<std::size_t>(i / methods)]);
     const double most = per_row * problem.start().rows() * limit_of(problem).substeps;
     return cheapest(std::span(&problem, 1), family_named(compared[static_cast<std::size_t>(i % methods)]),
-                    {.limits = {{Error::drift, wanted}}}, most);
+                    {.limits = {{Error::drift, wanted_drift}}}, most);
   });
   result.cost.resize(compared.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -85,7 +85,7 @@ void cost_to_a_millimetre(Page& page) {
   page.text(
       R"(What does a millimetre cost? For each chain the program looks for the cheapest run of each method, all choices
       free, whose joints open by @ m at most. First, chains of @ to @ equal links, let go at @° from straight down:)",
-      wanted, lengths.front(), lengths.back(), angle);
+      wanted_drift, lengths.front(), lengths.back(), angle);
   page.figure("appendix_millimetre_by_length",
               R"(Cost of a drift of a millimetre against the number of links. Crosses: the search found no
               choice of the method that reaches it for 10 000 instructions a row and substep of law 7.)",

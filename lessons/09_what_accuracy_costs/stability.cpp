@@ -8,7 +8,7 @@ namespace byhand::accuracy {
 namespace {
 
 constexpr double longest = 0.1;              // [s]
-constexpr double one = 1 + 1e-4;             // beyond which a spectral radius is no rounding
+constexpr double largest_radius = 1 + 1e-4;  // beyond which a spectral radius is no rounding
 const std::vector<double> masses{100, 1e4};  // of the end [kg]
 constexpr std::size_t middle = 0;
 
@@ -33,7 +33,9 @@ std::vector<Limits> limits(const Page& page) {
     const Method& method = methods[cell / count].method;
     const ChainOptions chain = taut(masses[cell % count]);
     return longest_step(
-        [&](double h) { return i % 2 == 0 ? spectral_radius(chain, method, h) < one : stays(chain, method, h); },
+        [&](double h) {
+          return i % 2 == 0 ? spectral_radius(chain, method, h) < largest_radius : stays(chain, method, h);
+        },
         longest);
   });
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -107,7 +109,7 @@ void stability(Page& page) {
                is(1, "a small disturbance follows the linearised step", relative(0.03)));
   page.claim(say("XPBD at a step of @ s, end of @ kg: spectral radius", longest, masses.back()),
              spectral_radius(taut(masses.back()), xpbd.method, longest), "1",
-             is_at_most(one, "it takes velocities from positions, which damps at every step"));
+             is_at_most(largest_radius, "it takes velocities from positions, which damps at every step"));
 }
 
 }  // namespace byhand::accuracy
