@@ -21,12 +21,6 @@ constexpr double hopeless = 1e13;  // instructions a frame
 constexpr int of_verification = 1, of_search = 1000;
 constexpr std::size_t most_answers = 3;  // the recommended one and its runners-up
 
-/// Instructions that the true motion from another start takes, at most as far as is known.
-double work_of_truth(const Problem& problem, const Wish& wish) {
-  const auto& work = problem.scene().reference_work;
-  return work && asks_for_reference(wish.limits) ? work->load() : 0;
-}
-
 /// What a run over the whole time takes that costs so much a frame.
 double whole_work(const Problem& problem, double cost) { return cost * problem.scene().duration / frame; }
 
@@ -39,7 +33,7 @@ class Truths {
   double work(int seed, std::span<const int> numbers) {
     const auto fresh =
         std::ranges::count_if(numbers, [&](int number) { return known_.emplace(seed, number).second; });
-    return static_cast<double>(fresh) * work_of_truth(problem_, wish_);
+    return static_cast<double>(fresh) * work_of_truth(problem_, wish_.limits);
   }
 
  private:
@@ -53,13 +47,13 @@ int other_starts(const Problem& problem, const Wish& wish, const Search& search)
   constexpr double share = 0.05;  // of the search, for their true motions
   return wish.limits.empty()
              ? 0
-             : static_cast<int>(std::clamp(share * search.most / work_of_truth(problem, wish), 2.0, 6.0));
+             : static_cast<int>(std::clamp(share * search.most / work_of_truth(problem, wish.limits), 2.0, 6.0));
 }
 
 /// From how many starts runs of that cost are verified.
 int count_of_starts(const Problem& problem, const Wish& wish, double cost, const Search& search) {
   constexpr double for_truth = 5;  // times as much, as all verifications share them
-  double work = std::max(whole_work(problem, cost), work_of_truth(problem, wish) / for_truth);
+  double work = std::max(whole_work(problem, cost), work_of_truth(problem, wish.limits) / for_truth);
   if (asks_for_reference(wish.limits) && problem.scene().chaotic)
     work =
         std::max(work, search.verification / 160 * limit_of(problem).substeps);  // each has a reference of its own
@@ -134,7 +128,8 @@ class Choosing {
     choice_.at_its_bound = choice_.at_its_bound || work() > 0.9 * by_finer_;
     auto limits = wish_.limits;
     if (limits.empty()) limits[Error::drift] = 2 * choice_.best.point[Error::drift];
-    choice_.margin = margin(problem_, choice_.best.point, limits, &choice_.spent, search_.most / 10);
+    choice_.margin =
+        margin(problem_, choice_.best.point, limits, &choice_.spent, search_.most / 10, search_.side_by_side);
     return choice_;
   }
 
@@ -176,6 +171,12 @@ class Choosing {
   void tell_others();
   void take(const Point& best, const Verification& verification);
   std::optional<std::pair<Candidate, Verification>> drawn(Contest& contest, const Point& from, double bound);
+  struct Coarsened {
+    Point point;
+    Verification verification;
+    std::optional<Point> next;  // the next coarser one, which missed or which there was no time to verify
+  };
+  Coarsened coarsened(Contest& contest, Point point, Verification verification, double until);
   void coarsen();
   void tighten();
   std::optional<Point> tighter(double share, const std::vector<const Family*>& able, double until,
@@ -496,7 +497,8 @@ std::optional<std::pair<Candidate, Verification>> Choosing::drawn(Contest& conte
   std::vector<Point> near{from, choice_.best.point};
   for (const Candidate& one : kept_) near.push_back(one.point);
   std::optional<std::pair<Candidate, Verification>> best;
-  const double until = work() + std::min(search_.most / 30, search_.enough / 10);
+  const double until =
+      work() + std::min(std::max(100 * whole_work(problem_, from.cost), search_.enough / 10), search_.most / 20);
   for (int round = 0; round < rounds && work() < until; ++round) {
     const Candidate now = cheapest_drawn(draws_, contest.starts, contest.wish, near, bound, methods, draws,
                                          until - work(), choice_.spent, search_.side_by_side);
@@ -511,19 +513,28 @@ std::optional<std::pair<Candidate, Verification>> Choosing::drawn(Contest& conte
   return best;
 }
 
-/// Fewer substeps, until they do not keep it from all starts.
-void Choosing::coarsen() {
-  while (choice_.best.point.knobs.substeps > 1) {
-    Knobs fewer = choice_.best.point.knobs;
+/// With fewer substeps, as long as that keeps the contest's wish from all starts.
+Choosing::Coarsened Choosing::coarsened(Contest& contest, Point point, Verification verification, double until) {
+  const auto& limits = contest.wish.limits;
+  while (point.knobs.substeps > 1) {
+    Knobs fewer = point.knobs;
     fewer.substeps = std::max(1, std::min(fewer.substeps - 1, fewer.substeps * 9 / 10));
-    choice_.coarser = with_all_errors(*choice_.best.point.family, fewer);
-    const double over = excess(*choice_.coarser, wish_.limits);
-    if (wish_.limits.empty() || !(over <= 1) || work() > by_dearer_) return;
-    const auto [verification, missed] = counted(contest_, *choice_.coarser);
-    if (missed) return;
-    choice_.best = {true, *choice_.coarser, over};
-    choice_.verified = verification;
+    const Point next = with_all_errors(*point.family, fewer);
+    if (limits.empty() || !(excess(next, limits) <= 1) || work() > until) return {point, verification, next};
+    const auto [of_next, missed] = counted(contest, next);
+    if (missed || !keeps_added(contest, next)) return {point, verification, next};
+    point = next, verification = of_next;
   }
+  return {point, verification, {}};
+}
+
+void Choosing::coarsen() {
+  const auto [point, verification, next] =
+      coarsened(contest_, choice_.best.point, choice_.verified, std::max(by_dearer_, work() + most_of_one_ / 2));
+  choice_.best.point = point;
+  if (!wish_.limits.empty()) choice_.best.excess = excess(point, wish_.limits);
+  choice_.verified = verification;
+  choice_.coarser = next;
 }
 
 /// Half and a tenth of the limits, by what keeps the wish and by the methods whose search is quick: what is exact
@@ -590,12 +601,13 @@ std::optional<Point> Choosing::tighter(double part, const std::vector<const Fami
                                    best.empty() ? bound : best.front().point.cost))
       best = {cheaper->first}, of_tight = cheaper->second;
   if (best.empty()) return {};
-  choice_.left_out = std::max(choice_.left_out, of_tight.left_out);
-  const Point point = with_all_errors(*best.front().point.family, best.front().point.knobs);
+  const Point found = with_all_errors(*best.front().point.family, best.front().point.knobs);
+  auto [point, verification, next] = coarsened(tight, found, of_tight, work() + most_of_one_ / 2);
+  choice_.left_out = std::max(choice_.left_out, verification.left_out);
   if (point.cost < choice_.best.point.cost && point.cost <= budget_of(wish_, *point.family)) {
     // It keeps the wish itself for less, which its search had missed.
-    of_tight.excess *= part;
-    take(point, of_tight);
+    verification.excess *= part;
+    take(point, verification);
     choice_.robust = point;
   }
   return point;

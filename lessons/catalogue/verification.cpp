@@ -1,6 +1,7 @@
 #include "lessons/catalogue/verification.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace byhand {
@@ -59,43 +60,59 @@ std::vector<int> first_numbers(int count) {
 }
 
 double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits, Spent* spent,
-              double most_work) {
+              double most_work, const SideBySide& side_by_side) {
   const NamedScene& scene = problem.scene();
   const auto parameter = std::find_if(scene.parameters.begin(), scene.parameters.end(),
                                       [&](const SceneParameter& one) { return one.name == scene.stress; });
   const double value = problem[scene.stress];
+  if (!(value > 0)) return NAN;
   Watch watch{.reference = asks_for_reference(limits)};
   for (const auto& [error, limit] : limits) watch.limit[static_cast<std::size_t>(error)] = limit;
   double work = 0;
   bool known = true;  // the true motion, as far as it was asked for
-  const auto holds = [&](double factor) {
-    if (factor == 1) return true;
-    // Times its largest factor the value may be above its upper end by rounding.
-    const Point run = measure(problem.with(scene.stress, std::min(factor * value, parameter->high)), *point.family,
-                              point.knobs, watch);
-    work += work_of(run);
-    if (spent) *spent += {1, work_of(run)};
-    known = known && well_known(run.uncertainty, limits);
-    return excess(run, limits) <= 1;
+  /// How many of these factors hold until one does not, all of which are run.
+  const auto hold = [&](std::span<const double> factors) {
+    std::vector<Point> runs(factors.size());
+    side_by_side(static_cast<int>(factors.size()), [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      // Times its largest factor the value may be above its upper end by rounding.
+      runs[at] = measure(problem.with(scene.stress, std::min(factors[at] * value, parameter->high)), *point.family,
+                         point.knobs, watch);
+    });
+    for (const Point& run : runs) {
+      const Spent one{1, work_of(run) + work_of_truth(problem, limits)};
+      work += one.work;
+      if (spent) *spent += one;
+    }
+    std::size_t count = 0;
+    while (count < runs.size() && (known = well_known(runs[count].uncertainty, limits)) &&
+           excess(runs[count], limits) <= 1)
+      ++count;
+    return count;
   };
-  if (!(value > 0)) return NAN;
-  const double most = std::min(1000.0, parameter->high / value);
-  double low = 1, high = 1;
   // In short strides: where steps are too long for a stiff scene, or a bounce falls into another step, good bands
   // follow bad ones.
   constexpr double near = 2, short_stride = 1.02, long_stride = 1.2;
-  while (holds(high) && known) {
+  constexpr std::size_t batch = 4;
+  const double most = std::min(1000.0, parameter->high / value);
+  std::vector<double> strides;
+  for (double high = 1; high < most;)
+    strides.push_back(high = std::min((high < near ? short_stride : long_stride) * high, most));
+  std::size_t held = 0;
+  for (std::size_t tried = 0; held == tried && known; tried = std::min(tried + batch, strides.size())) {
+    if (held == strides.size()) return INFINITY;
     if (work > most_work) return NAN;
-    low = high;
-    if (high >= most) return INFINITY;
-    high = std::min((high < near ? short_stride : long_stride) * high, most);
+    held += hold(std::span(strides).subspan(tried, std::min(batch, strides.size() - tried)));
   }
-  while (high > 1.05 * low && known) {
+  if (!known) return NAN;
+  double low = held > 0 ? strides[held - 1] : 1, high = strides[held];
+  while (high > 1.05 * low) {
     if (work > most_work) return NAN;
     const double middle = std::sqrt(low * high);
-    (holds(middle) ? low : high) = middle;
+    (hold(std::array{middle}) == 1 ? low : high) = middle;
+    if (!known) return NAN;
   }
-  return known ? high : NAN;
+  return high;
 }
 
 }  // namespace byhand

@@ -53,6 +53,7 @@ inline constexpr const char* strides_of_margin = "in strides of 2 %, and beyond 
 /// parameter is not above zero, this takes more than `most` instructions, or the true motion is not well known
 /// there.
 double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits,
-              Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity());
+              Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity(),
+              const SideBySide& side_by_side = one_after_another);
 
 }  // namespace byhand

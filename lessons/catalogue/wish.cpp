@@ -29,6 +29,11 @@ bool asks_for_reference(const std::map<Error, double>& limits) {
   return std::ranges::any_of(limits, [](const auto& one) { return asks_for_reference(one.first); });
 }
 
+double work_of_truth(const Problem& problem, const std::map<Error, double>& limits) {
+  const auto& work = problem.scene().reference_work;
+  return work && asks_for_reference(limits) ? work->load() : 0;
+}
+
 Wish without_reference(Wish wish) {
   std::erase_if(wish.limits, [](const auto& one) { return asks_for_reference(one.first); });
   return wish;

@@ -31,6 +31,9 @@ void require_valid(const Problem& problem, const Wish& wish);
 /// Whether what is known of the true motion is needed, which may take longer to find out than all runs.
 bool asks_for_reference(const std::map<Error, double>& limits);
 
+/// Instructions that the true motion from another start takes, if it is needed, at most as far as is known.
+double work_of_truth(const Problem& problem, const std::map<Error, double>& limits);
+
 /// The wish with only those limits that can be judged without it.
 Wish without_reference(Wish wish);
 
