@@ -330,9 +330,9 @@ std::string AnyScene::row_kind() const {
       kind = M::angular == 0 ? "free bobs" : "free bodies";
     else if (M::angular == 0)
       kind = bounded ? "ropes" : alternate(scene) ? "mixed bobs" : "bobs";
-    else if (bounded)
-      kind = "machines";
-    else if (const std::set<int> rows = rows_a_joint(scene); rows.size() > 1)
+    else if (const std::set<int> rows = rows_a_joint(scene); bounded)
+      kind = *rows.rbegin() > 3 ? "mixed machines" : "machines";  // in space alone
+    else if (rows.size() > 1)
       kind = "mixed joints";
     else if (rows.contains(5))
       kind = "hinges";

@@ -242,6 +242,35 @@ Problem machine(int links, double strength) {
   return uncatalogued("machine", scene);
 }
 
+/// An arm whose first joint is driven, and whose others are drawn: ball joints with a stop of their swing, hinges,
+/// some held by a servo, and welds; a part of them with a spring beside.
+Problem drawn_arm(int links, Draws& draws) {
+  using M = SpaceBody;
+  const Linear<M> along = Linear<M>::UnitX(), axis = Linear<M>(0, 0.6, 0.8);
+  Scene<M> scene;
+  scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  for (int i = 1; i <= links; ++i) {
+    const Linear<M> point = (0.3 * i - 0.15) * along;
+    scene.add_body(Linear<M>(0.3 * i * along), box<M>(1 + i % 2, Linear<M>::Constant(0.2)));
+    const int joint = i > 1 ? draws.one_of({0, 1, 2, 3}) : 0;
+    if (joint == 2) {
+      scene.add(pin<M>(scene.bodies(), i - 1, i, point));
+      scene.add(at_most<M>(1.0, Swing<M>{i - 1, i, along, along}));
+    } else if (joint == 3) {
+      scene.add(weld<M>(scene.bodies(), i - 1, i, point));
+    } else {
+      scene.add(hinge(scene.bodies(), i - 1, i, point, axis));
+      const Turn<M> freedom = turn<M>(scene.bodies(), i - 1, i, axis);
+      if (i == 1)
+        scene.add(motor(freedom, 2, 50));
+      else if (joint == 1)
+        scene.add(servo<M>(freedom, 0.3, {100, 5}, 50));
+    }
+    if (draws.one_of({true, false, false, false})) scene.add(Spring<M>{{i - 1, i}, 0.3, {80, 1}});
+  }
+  return uncatalogued("arm", scene);
+}
+
 /// Balls on the ground, or on a table that has no weight to hold them down, some far apart.
 template <class M>
 Problem balls(int count, bool weight, double apart) {
@@ -317,7 +346,7 @@ Problem drawn_problem(Draws& draws) {
   const double links = draws.one_of({1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0});
   const double kick = draws.one_of({0.0, 0.02, 0.02});
   const int few = draws.one_of({1, 2, 3, 5, 10, 20});
-  switch (draws.below(32)) {
+  switch (draws.below(33)) {
     case 0: return Problem("stack", {{"boxes", draws.one_of({2.0, 3.0, 5.0, 8.0, 12.0, 30.0})}, {"kick", kick}});
     case 1: return Problem("pyramid", {{"base", draws.one_of({2.0, 3.0, 4.0, 6.0, 9.0, 12.0})}, {"kick", kick}});
     case 2: return Problem(draws.one_of({"incline", "four_bar"}));
@@ -352,6 +381,7 @@ Problem drawn_problem(Draws& draws) {
     case 25: return drawn_net<SpaceParticle>(draws);
     case 26: return drawn_mixed_net<PlaneParticle>(draws);
     case 27: return drawn_mixed_net<SpaceParticle>(draws);
+    case 28: return drawn_arm(few, draws);
     default: return Problem("chain", {{"links", links}}, model);
   }
 }
