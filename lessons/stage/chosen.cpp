@@ -16,7 +16,7 @@ constexpr double soon = 8;     // after which an answer is given if there is one
 
 /// An answer of the chooser and what it is the answer to.
 struct Answer {
-  std::string asked;
+  std::string name, asked;
   Point point;
 };
 
@@ -50,10 +50,18 @@ std::string errors_of(const Point& point, const Request& request) {
   return text;
 }
 
+/// The cheapest, and what keeps half and a tenth of the limits, which may be the same.
 std::vector<Answer> answers_of(const Choice& choice) {
-  std::vector<Answer> answers{{"cheapest", choice.best.point}};
-  if (choice.robust) answers.push_back({"robust: half of each limit", *choice.robust});
-  if (choice.finer) answers.push_back({"ten times better", *choice.finer});
+  std::vector<Answer> answers{{"cheapest", "cheapest", choice.best.point}};
+  const auto add = [&](const std::string& name, const std::string& asked, const Point& point) {
+    Answer& last = answers.back();
+    if (last.point.family == point.family && last.point.knobs == point.knobs)
+      last.name += ", " + name, last.asked += "; " + asked;
+    else
+      answers.push_back({name, asked, point});
+  };
+  if (choice.robust) add("robust", "robust: half of each limit", *choice.robust);
+  if (choice.finer) add("ten times better", "ten times better", *choice.finer);
   return answers;
 }
 
@@ -78,6 +86,15 @@ std::string warnings_of(const Point& point, const Request& request) {
       text += (text.empty() ? "" : ", ") +
               fmt::format("{} {}", when_and_what(error, request), number_of(point[error], error));
   }
+  return text;
+}
+
+/// "trajectory and reaction": the errors of this scene that a run was not held against.
+std::string not_measured(const Point& point, const Request& request) {
+  std::string text;
+  for (const Error error : errors)
+    if (has(request.problem.scene(), error) && needs_truth(error) && !point.has(error))
+      text += (text.empty() ? "" : " and ") + std::string(name_of(error));
   return text;
 }
 
@@ -141,6 +158,8 @@ void show_answers(Page& page, const Request& request, const Choice& choice, doub
         "**Warning:** the cheapest keeps what is asked, but gets other things wrong: @. Limit these in the file's "
         "\"accuracy\" if they matter.",
         bad);
+  if (const std::string errors = not_measured(choice.best.point, request); !errors.empty())
+    page.text("Its errors of @ were not measured, as the file does not limit them.", errors);
   for (const auto& [found, part, asked] : {std::tuple{choice.robust.has_value(), 0.5, "half of each limit"},
                                            {choice.finer.has_value(), 0.1, "a tenth of each limit"}})
     if (!found)
@@ -178,19 +197,15 @@ void show_answers(Page& page, const Request& request, const Choice& choice, doub
     renderer::Chart chart{.y = {.label = "time (µs)"}};
     renderer::Bars bars;
     for (const Answer& one : answers) {
-      chart.bar_names.push_back(one.asked.substr(0, one.asked.find(':')));
+      chart.bar_names.push_back(one.name);
       bars.values.push_back(
           1e-3 * nanoseconds_a_frame(request.problem, one.point.family->setting(one.point.knobs), 0.05));
     }
     chart.bars = {bars};
     return chart;
   });
-  const Point* before = nullptr;
-  for (const Answer& one : answers) {
-    if (before && before->family == one.point.family && before->knobs == one.point.knobs) continue;
-    before = &one.point;
-    page.code("C++, " + one.asked, code_of(one.point.family->setting(one.point.knobs)));
-  }
+  for (const Answer& one : answers)
+    page.code("C++, " + one.name, code_of(one.point.family->setting(one.point.knobs)));
   std::string others;
   for (const Candidate& one : choice.runners_up)
     if (one.reached)

@@ -117,7 +117,15 @@ TEST_F(SceneCommand, ChoosesAMethodForWhatTheFileWantsAccurate) {
                                       "m\\s+and\\s+energy\\s+of\\s+at\\s+most\\s+0.01"));
   EXPECT_THAT(ran.said, HasSubstr("ten times better"));
   EXPECT_THAT(ran.said, HasSubstr("Simulation simulation{scene, "));
+  EXPECT_THAT(ran.said, Not(ContainsRegex("were\\s+not\\s+measured")));
   EXPECT_EQ(scene_into("pendulum --choose --doctor").status, 2);
+}
+TEST_F(SceneCommand, SaysWhichErrorsOfItsAnswerWereNotMeasuredAndGivesEachAnswerOnce) {
+  std::string text = text_of(fs::path(BYHAND_SOURCE) / "lessons" / "scenes" / "pendulum.json");
+  text.insert(text.find('{') + 1, "\n\"accuracy\": {\"drift\": 1},");
+  const Ran ran = scene_into(written(text).string() + " --choose");
+  EXPECT_THAT(ran.said, ContainsRegex("Its\\s+errors\\s+of\\s+trajectory\\s+and\\s+reaction\\s+were\\s+not"));
+  EXPECT_THAT(ran.said, HasSubstr("C++, cheapest, robust, ten times better"));
 }
 
 TEST(CaseCommand, ListsTheCasesAndChecksOne) {
