@@ -1,3 +1,6 @@
+#include <Eigen/Core>
+#include <unsupported/Eigen/AutoDiff>
+
 #include <random>
 
 #include "lessons/01_jacobian/picture.hpp"
@@ -5,23 +8,24 @@
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
-#include "solver/integrate/jet.hpp"
 
 // Dual numbers differentiate `value` to rounding; every J derived by hand is compared with them.
 namespace byhand::lesson01 {
 namespace {
 
-/// J without a derivation: the bodies move in one of the 2 dof ways after the other, each number with its rate, and
-/// the rate of C is that way's column.
+/// J without a derivation: a dual number δ moves the bodies in one of the 2 dof ways after the other, and C(x + δ)
+/// holds that way's column.
 template <class M, class Kind>
 auto gradient(const Kind& constraint, const Pose<M>& pose1, const Pose<M>& pose2) {
-  using Dual = Jet;  // with a second rate, which is not asked for
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
+  const Dual delta(0.0, 1, 0);
   Eigen::Matrix<double, Kind::rows, 2 * M::dof> J;
   for (int way = 0; way < J.cols(); ++way) {
-    Velocity<M> V1 = Velocity<M>::Zero(), V2 = V1;
-    (way < M::dof ? V1[way] : V2[way - M::dof]) = 1;
-    const auto C = constraint.template value<Dual>(on_its_way<M>(pose1, V1), on_its_way<M>(pose2, V2));
-    for (int k = 0; k < J.rows(); ++k) J(k, way) = C[k].rate;
+    Velocity<M, Dual> nudge1 = Velocity<M, Dual>::Zero(), nudge2 = nudge1;
+    (way < M::dof ? nudge1[way] : nudge2[way - M::dof]) = delta;
+    const auto C = constraint.template value<Dual>(moved<M, Dual>(cast<Dual>(pose1), nudge1, Dual(1.0)),
+                                                   moved<M, Dual>(cast<Dual>(pose2), nudge2, Dual(1.0)));
+    for (int k = 0; k < J.rows(); ++k) J(k, way) = C[k].derivatives()[0];
   }
   return J;
 }
