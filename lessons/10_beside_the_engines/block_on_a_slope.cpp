@@ -74,9 +74,10 @@ void slips_for_ever(Page& page, double slope, double friction) {
   const std::vector<double> speeds{speed(1, 8), speed(10, 8), speed(100, 8)};
   const double shorter = speed(1, 32);
   page.text(
-      R"(MuJoCo's friction is a strong but finite damper, up to μ times the normal force. So a block creeps on any
-      slope. `impratio` makes the damper stronger; with round cones 32 steps a frame in place of 8 do not. 1° less steep than
-      friction holds, with round cones:)");
+      R"(MuJoCo's friction is a strong but finite damper, up to μ times the normal force. So the block
+      creeps where friction should hold it. `impratio` makes the damper stronger; with round cones 32 steps a frame in
+      place of 8 do not. (A further pass, `noslip_iterations`, is off as shipped and here.) 1° less steep than friction
+      holds, with round cones:)");
   page.table({"impratio", "steps a frame", "speed"}, rows);
   page.claim("MuJoCo: speed of slip in 32 steps a frame over that in 8", shorter / speeds[0], "1",
              is(1, "the damper has no step in it", relative(0.05)));

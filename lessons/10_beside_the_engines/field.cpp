@@ -237,7 +237,8 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
       engines::seconds_a_frame(timed.start, contestants, timed.scene, timed.frames, rounds);
   const std::string where = field.party == Party::webassembly ? " in WebAssembly" : "";
   Chart chart{.x = {.label = label + (unit == Unit::metres ? " (m)" : " (rad)"), .scale = Scale::logarithmic},
-              .y = {.label = "processor time" + where + " (µs a frame)", .scale = Scale::logarithmic}};
+              .y = {.label = say("processor time@, first @ frames (µs a frame)", where, timed.frames),
+                    .scale = Scale::logarithmic}};
   std::vector<std::vector<Point>> points;
   std::size_t run = 0;
   for (const Errors& one : errors) {
@@ -285,11 +286,14 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
 
 template <class M>
 Scene<M> nudged(Scene<M> scene, int way) {
+  // Multiples of these irrational numbers, less whole ones, repeat for no body and in no way.
+  const auto aside = [](double turns) { return 2e-6 * (turns - std::floor(turns) - 0.5); };
   for (int i = 0; i < scene.bodies().size(); ++i) {
-    const double turns = 0.618 * i + 0.1 * way, place = turns - std::floor(turns);
-    if (moves(scene.bodies().inverse_mass[i]))
-      scene.set_position(i,
-                         Linear<M>(scene.bodies().pose[i].position + 2e-6 * (place - 0.5) * Linear<M>::Unit(0)));
+    if (!moves(scene.bodies().inverse_mass[i])) continue;
+    Linear<M> place = scene.bodies().pose[i].position;
+    place[0] += aside(0.618034 * i + 0.754878 * way);
+    if constexpr (M::linear == 3) place[2] += aside(0.549700 * i + 0.819173 * way);
+    scene.set_position(i, place);
   }
   return scene;
 }

@@ -7,7 +7,7 @@ namespace byhand::engines {
 namespace {
 
 bool is_switch(const std::string& name) {
-  return name == "RK4" || name == "RATTLE" || name == "NNCG" || name == "round cones" ||
+  return name == "RK4" || name == "RATTLE" || name == "NNCG" || name == "DANTZIG" || name == "elliptic" ||
          name.ends_with("in joint coordinates");
 }
 

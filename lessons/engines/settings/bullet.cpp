@@ -25,8 +25,9 @@ Settings bullet_settings() {
       for (const Shares& shares : shares_of_contacts())
         all.contacts.push_back(tried(shares, conjugate, "contact ERP", erp));
     }
-  for (const int steps : joint_steps)
-    all.joints.push_back({.row = Row::tuned, .knobs = {{"DANTZIG", 1}}, .steps = steps});
+  for (const double erp : {0.2, 0.8})
+    for (const int steps : joint_steps)
+      all.joints.push_back({.row = Row::tuned, .knobs = {{"DANTZIG", 1}, {"ERP", erp}}, .steps = steps});
   return all;
 }
 
