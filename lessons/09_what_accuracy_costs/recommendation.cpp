@@ -275,7 +275,7 @@ renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
   for (std::size_t i = 0; i < std::min(choice.runners_up.size(), shown); ++i)
     add(choice.runners_up[i].point, choice.runners_up[i].point.described());
   const auto another = [&](const std::optional<byhand::Point>& point) {
-    return point && !(point->knobs == choice.best.point.knobs && point->family == choice.best.point.family);
+    return point && !same_setting(*point, choice.best.point);
   };
   if (another(choice.robust)) add(*choice.robust, "half: " + choice.robust->described());
   if (another(choice.finer)) add(*choice.finer, "a tenth: " + choice.finer->described());
@@ -390,8 +390,7 @@ void recommendation(Page& page, const Setting& setting) {
                                          {choice.finer, "For a tenth of each limit"}})
       if (!limits.empty())
         page.text("**@:** @", asked,
-                  tighter && tighter->knobs == best.knobs && tighter->family == best.family
-                      ? std::string("the same run.")
+                  tighter && same_setting(*tighter, best) ? std::string("the same run.")
                   : tighter
                       ? say("@, for @ (×@), from as many starts.", tighter->described(), cost_in_words(*tighter),
                             Value(tighter->cost / best.cost, tighter->cost < 2 * best.cost ? 3 : 2))

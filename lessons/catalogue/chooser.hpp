@@ -34,6 +34,9 @@ struct Choice {
   double searched_exactly = 0;  // and those that solve each step exactly, and XPBD
 };
 
+/// Whether two answers are the same method in the same setting.
+inline bool same_setting(const Point& a, const Point& b) { return a.family == b.family && a.knobs == b.knobs; }
+
 struct Search {
   std::function<void(const std::string&)> told = [](const std::string&) {};  // of each method as it begins
   SideBySide side_by_side = one_after_another;

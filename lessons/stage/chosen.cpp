@@ -55,7 +55,7 @@ std::vector<Answer> answers_of(const Choice& choice) {
   std::vector<Answer> answers{{"cheapest", "cheapest", choice.best.point}};
   const auto add = [&](const std::string& name, const std::string& asked, const Point& point) {
     Answer& last = answers.back();
-    if (last.point.family == point.family && last.point.knobs == point.knobs)
+    if (same_setting(last.point, point))
       last.name += ", " + name, last.asked += "; " + asked;
     else
       answers.push_back({name, asked, point});
