@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lessons/catalogue/code.hpp"
 #include "lessons/stage/request.hpp"
 
@@ -33,21 +35,27 @@ std::string when_and_what(Error error, const Request& request) {
               : std::string(name_of(error));
 }
 
+std::string joined(const std::vector<std::string>& parts, const char* between) {
+  return fmt::format("{}", fmt::join(parts, between));
+}
+
 std::string asked_for(const Request& request) {
-  std::string text;
+  std::vector<std::string> parts;
   for (const auto& [error, limit] : request.limits)
-    text += (text.empty() ? "" : " and ") +
-            fmt::format("{} of at most {}", when_and_what(error, request), number_of(limit, error));
-  return text;
+    parts.push_back(fmt::format("{} of at most {}", when_and_what(error, request), number_of(limit, error)));
+  return joined(parts, " and ");
+}
+
+/// "drift 0.01 m": an error of a run.
+std::string error_of(const Point& point, Error error, const Request& request) {
+  return fmt::format("{} {}", when_and_what(error, request), number_of(point[error], error));
 }
 
 std::string errors_of(const Point& point, const Request& request) {
-  std::string text;
+  std::vector<std::string> parts;
   for (const auto& [error, limit] : request.limits)
-    if (point.has(error))
-      text += (text.empty() ? "" : ", ") +
-              fmt::format("{} {}", when_and_what(error, request), number_of(point[error], error));
-  return text;
+    if (point.has(error)) parts.push_back(error_of(point, error, request));
+  return joined(parts, ", ");
 }
 
 /// The cheapest, and what keeps half and a tenth of the limits, which may be the same.
@@ -67,35 +75,32 @@ std::vector<Answer> answers_of(const Choice& choice) {
 
 /// "gravity differs", "first speed and gravity differ".
 std::string varied_in_words(const Request& request) {
-  const std::vector<std::string>& varied = request.problem.scene().varied;
-  std::string text;
-  for (const std::string& name : varied)
-    text += (text.empty() ? "" : " and ") + std::string(name == "speed" ? "first speed" : name);
-  return text + (varied.size() == 1 ? " differs" : " differ");
+  std::vector<std::string> varied = request.problem.scene().varied;
+  std::ranges::replace(varied, "speed", "first speed");
+  return joined(varied, " and ") + (varied.size() == 1 ? " differs" : " differ");
 }
 
 /// What a run gets wrong that was not asked about, by more than a tenth.
 std::string warnings_of(const Point& point, const Request& request) {
-  std::string text;
+  std::vector<std::string> parts;
   for (const Error error : errors) {
     const bool length = error == Error::drift || error == Error::trajectory;
     const double bad = length ? 0.1 * request.problem.size() : 0.1;
     if (needs_truth(error) && !(request.problem.reference().uncertainty < 0.025 * request.problem.size()))
       continue;
     if (error != Error::contact && point.has(error) && point[error] > bad && !request.limits.contains(error))
-      text += (text.empty() ? "" : ", ") +
-              fmt::format("{} {}", when_and_what(error, request), number_of(point[error], error));
+      parts.push_back(error_of(point, error, request));
   }
-  return text;
+  return joined(parts, ", ");
 }
 
 /// "trajectory and reaction": the errors of this scene that a run was not held against.
 std::string not_measured(const Point& point, const Request& request) {
-  std::string text;
+  std::vector<std::string> parts;
   for (const Error error : errors)
     if (has(request.problem.scene(), error) && needs_truth(error) && !point.has(error))
-      text += (text.empty() ? "" : " and ") + std::string(name_of(error));
-  return text;
+      parts.emplace_back(name_of(error));
+  return joined(parts, " and ");
 }
 
 /// How much larger what varies may be; "" where nothing does.
