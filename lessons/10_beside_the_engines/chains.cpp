@@ -114,11 +114,36 @@ std::string failures(const std::vector<Outcomes<Hung>>& all) {
   return words;
 }
 
+/// Which of the table's settings fail later, watched on from one start.
+template <class M>
+void tell_later(Page& page, const Field<M>& field, const std::vector<Errors>& gaps, const Scene<M>& scene) {
+  constexpr double minute = 60;  // [s]
+  std::vector<std::string> failed;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    std::map<std::size_t, std::string> rows{{0, row_names[0]}, {1, row_names[1]}};
+    if (!alone()) rows.emplace(gaps[i].best_setting(), "at its best");
+    for (const auto& [setting, row] : rows) {
+      if (!std::isfinite(gaps[i].by_setting[setting])) continue;
+      const Hung hung = hang<M>(field.entrants[i].settings[setting], scene, static_cast<int>(minute / frame));
+      if (hung.end != Hung::End::held)
+        failed.push_back(say("@ @ after @ s", gaps[i].name, row, Value(hung.time, 3)));
+    }
+  }
+  const Quantity many("how many fail later", static_cast<double>(failed.size()));
+  page.text("@", page.verdict(
+                     {{.when = many < 1,
+                       .say = say("Watched on to @ s, from one start, none fails that has held so far.", minute)},
+                      {.when = many >= 1,
+                       .say = say("Watched on to @ s, from one start, these fail that have held so far: @.",
+                                  minute, listed(failed))}}));
+}
+
 template <class M>
 void tell_gaps(Page& page, const Field<M>& field, const std::vector<Outcomes<Hung>>& outcomes,
-               const std::vector<Errors>& gaps) {
+               const std::vector<Errors>& gaps, const Scene<M>& scene) {
   tell_three<M>(page, field, gaps, Unit::metres);
   if (const std::string how = failures(outcomes); !how.empty()) page.text("@", how);
+  tell_later(page, field, gaps, scene);
 }
 
 std::string in_per_cent(double share) {
@@ -256,7 +281,7 @@ void chains(const Setting& setting, Page& page) {
       the same start part in so long a time. So both rows, and what is near the best, are run from @ more starts, let go
       up to @ µrad lower, and tables show the range of these @. The gap is that of the worst pin. A run has
       failed if a pin opens by a whole link, or if the chain gains more than @ % of the energy of a fall through its
-      length, which joint coordinates can without a gap.)",
+      length, which joint coordinates can without a gap: their pins cannot part, and the motion further down compares them.)",
       links, end_mass, Value(frames * frame, 2),
       swings < 1.01 ? std::string("a whole swing") : say("@ swings", Value(swings, 2)), ways, ways, ways + 1,
       100 * most_gained);
@@ -281,7 +306,7 @@ void chains(const Setting& setting, Page& page) {
        .right = say("mg + 2mg = @ N. In a chain of many pinned rods law 7 wants T h²/(m l) below a third; at one "
                     "step a frame the load alone makes it @, and the links add to that.",
                     Value(pull, 3), Value(pull * frame * frame, 2))});
-  tell_gaps(page, field, outcomes, gaps);
+  tell_gaps(page, field, outcomes, gaps, scene);
   by_law_7(page, scene, links, end_mass);
   compare(page, "chain_gap",
           say("The chain of @ with @ kg at its end: largest gap of a pin in @ s, from one start.", links, end_mass,
@@ -361,7 +386,7 @@ void chain_in_space(const Setting& setting, Page& page) {
       alone() ? ""
               : "Here the engines of space meet this course in space; a pale line shows what the smaller model "
                 "saves.");
-  tell_gaps(page, field, outcomes, gaps);
+  tell_gaps(page, field, outcomes, gaps, scene);
   page.text("The largest change in energy, as above:");
   page.table(head_of_energies(), energies(outcomes, gaps));
   compare_by_time(
@@ -429,7 +454,7 @@ void chain_in_webassembly_of(const Setting& setting, const std::string& place, P
   });
   const auto gaps = gaps_of(field, outcomes, links, end_mass), offs = errors_of(outcomes, &Hung::off);
   page.text("The chain of step 3 @, its largest gap:", place);
-  tell_gaps(page, field, outcomes, gaps);
+  tell_gaps(page, field, outcomes, gaps, scene);
   with_friction(page, outcomes, scene, frames);
   page.text("From one start, how far its worst link is off after @ s:", Value(exact_frames_of(links) * frame, 2));
   tell_three<M>(page, field, offs, Unit::metres);

@@ -8,7 +8,7 @@ namespace byhand::beside {
 
 namespace {
 
-constexpr int rounds = 3;  // of each time
+constexpr int rounds = 5;  // of each time
 
 template <class M>
 Entrant<M> entrant_of(const Engine& engine, Kind kind, double most_work) {
@@ -185,8 +185,8 @@ std::string unbroken(std::string words) {
   return words;
 }
 
-/// Who has the smaller error at equal time, with the least that is, who is level within the spread of the
-/// times, and of those who are not ahead who is quicker than all runs of the course. `when` begins the sentence.
+/// Who has the smaller error at equal time, with the least that is, who is level within a tenth of the
+/// time, and of those who are not ahead who is quicker than all runs of the course. `when` begins the sentence.
 std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>& all, Unit unit,
                      const std::string& when) {
   using engines::Beside;

@@ -112,15 +112,14 @@ Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>&
     const auto one = std::ranges::min_element(found, {}, least);
     return one == found.end() ? std::nullopt : std::optional(*one);
   };
-  const auto slow = [](const Point& point) { return equal_times * point.seconds.most; };
+  const auto slow = [](const Point& point) { return equal_times * point.seconds.least; };
   const auto beats = [&](const auto& time) {
     return best([&](const Point& point) {
       return !others.empty() &&
              !within(std::max(time(point), quickest_other->seconds.least), equal_errors * point.error);
     });
   };
-  const auto quicker =
-      best([&](const Point& point) { return !within(equal_times * point.seconds.least, INFINITY); });
+  const auto quicker = best([&](const Point& point) { return !within(slow(point), INFINITY); });
   if (const auto point = beats(slow)) return {Rank::ahead, *point, quicker};
   if (const auto point = beats(seconds)) return {Rank::level, *point, quicker};
   return {.quicker = quicker};

@@ -70,15 +70,15 @@ struct Point {
 /// run to run of a program.
 constexpr double equal_errors = 1.01, equal_times = 1.1;
 
-/// One entrant beside another. Two are compared within any time that leaves both a run: ahead if some point of its
-/// own then has a smaller error than each point of the other that might be as fast, its slowest round and a tenth
-/// against the other's quickest; level if only its quickest round would be ahead.
+/// One entrant beside another, by the quickest rounds: what else the machine does makes a round slower, never
+/// quicker. Two are compared within any time that leaves both a run: ahead if some point of its own, a tenth
+/// slower, then has a smaller error than each point of the other that is as fast; level if only without that
+/// tenth.
 enum class Rank { behind, level, ahead };
 struct Beside {
   Rank rank = Rank::behind;
   Point point = {};  // of those that are ahead, or level, the one with the least error
-  // Of those, too, that are quicker than every run of the other, by their quickest rounds and a tenth: what else
-  // the machine does makes a round slower, never quicker.
+  // Of those, too, that are quicker than every run of the other, by a tenth.
   std::optional<Point> quicker = {};
 };
 Beside at_equal_time(const std::vector<Point>& points, const std::vector<Point>& others);
