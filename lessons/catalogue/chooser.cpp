@@ -489,7 +489,7 @@ void Choosing::take(const Point& best, const Verification& verification) {
 /// of them near `from` and near what was recommended or found before.
 std::optional<std::pair<Candidate, Verification>> Choosing::drawn(Contest& contest, const Point& from,
                                                                   double bound) {
-  constexpr int rounds = 100, draws = 128;
+  constexpr int rounds = 1000, draws = 128;
   if (contest.wish.limits.empty()) return {};
   std::vector<const Family*> methods;
   for (const Candidate& one : found_)
@@ -497,8 +497,9 @@ std::optional<std::pair<Candidate, Verification>> Choosing::drawn(Contest& conte
   std::vector<Point> near{from, choice_.best.point};
   for (const Candidate& one : kept_) near.push_back(one.point);
   std::optional<std::pair<Candidate, Verification>> best;
-  const double until =
-      work() + std::min(std::max(100 * whole_work(problem_, from.cost), search_.enough / 10), search_.most / 20);
+  const double left = by_finer_ - work(),
+               until = work() + std::min(std::max(100 * whole_work(problem_, from.cost), search_.enough / 10),
+                                         std::max(search_.most / 20, left / 5));
   for (int round = 0; round < rounds && work() < until; ++round) {
     const Candidate now = cheapest_drawn(draws_, contest.starts, contest.wish, near, bound, methods, draws,
                                          until - work(), choice_.spent, search_.side_by_side);
