@@ -189,14 +189,16 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
   const auto& all = problem.scene().parameters;
   const std::string unit =
       std::find_if(all.begin(), all.end(), [&](const SceneParameter& one) { return one.name == stress; })->unit;
-  return say("Of larger values of the @, tried @, the first at which it no longer meets @ is @@, @.", name,
-             strides_of_margin, limited ? "your limits" : "twice this drift",
-             Value(choice.margin * problem[stress], 3),
-             unit == "1"   ? ""
-             : unit == "°" ? unit
-                           : " " + unit,
-             choice.margin < 1.1 ? say("@ % above its present value", Value(100 * (choice.margin - 1), 1))
-                                 : say("@ times the present value", Value(choice.margin, 2)));
+  return say(
+      "Of larger values of the @, tried @, the first at which it no longer meets @ is @@, @. Between these values "
+      "it was not tried.",
+      name, strides_of_margin, limited ? "your limits" : "twice this drift",
+      Value(choice.margin * problem[stress], 3),
+      unit == "1"   ? ""
+      : unit == "°" ? unit
+                    : " " + unit,
+      choice.margin < 1.1 ? say("@ % above its present value", Value(100 * (choice.margin - 1), 1))
+                          : say("@ times the present value", Value(choice.margin, 2)));
 }
 
 /// "all methods were tried up to 370 000 instructions per frame, …". The others have no time left where the exact
@@ -213,6 +215,9 @@ std::string searched_in_words(const byhand::Choice& choice) {
              choice.searched_exactly > choice.searched ? say(", and @ @", exactly, until) : std::string());
 }
 
+/// Some forty seconds of two cores [instructions].
+constexpr double most_of_a_search = 6e11;
+
 /// How sure the answer is: where all of n starts go well, with 95 % confidence a share above 0.05^(1/n) of them
 /// does.
 std::string certainty(const byhand::Choice& choice, const std::map<Error, double>& limits) {
@@ -227,7 +232,11 @@ std::string certainty(const byhand::Choice& choice, const std::map<Error, double
                 "would take @ starts to say 95 %, and each is a long run.",
                 Value(100 * std::pow(0.05, 1.0 / verified.starts), 2), certain);
   return text + further_in_words(verified) +
-         say(" @ runs were made; @.", choice.spent.runs, searched_in_words(choice));
+         say(" @ runs were made; @.@", choice.spent.runs, searched_in_words(choice),
+             choice.at_its_bound
+                 ? say(" That took all that a search may, @ instructions, so that others may be cheaper.",
+                       Value(most_of_a_search, 2))
+                 : std::string());
 }
 
 /// The limit that a run comes nearest to.
@@ -339,7 +348,7 @@ void recommendation(Page& page, const Setting& setting) {
                 : say("**You ask:** @. Which is the cheapest method with @@?", in_prose(description(problem)),
                       asked_for(limits, problem), within));
 
-  Search search;
+  Search search{.most = most_of_a_search};
   search.side_by_side = [&](int count, const std::function<void(int)>& work) {
     page.side_by_side(count, [&](int i) { return work(i), 0; });
   };
@@ -401,7 +410,10 @@ void recommendation(Page& page, const Setting& setting) {
     page.text("**No method finishes a frame within @ µs**, so no run could be made. Allow more time.",
               setting.budget() * 1e6);
   } else {
-    page.text("**No method was found that reaches that**: @.@", searched_in_words(choice),
+    page.text(choice.at_its_bound
+                  ? "**No method was found yet that reaches that**, in all that a search may take: @.@"
+                  : "**No method was found that reaches that**: @.@",
+              searched_in_words(choice),
               best.outcome == Outcome::good && std::isfinite(choice.best.excess) && !limits.empty()
                   ? say(" The nearest is @ for @, with @ times the error that you allow.", best.described(),
                         cost_in_words(best), Value(choice.best.excess, 2))

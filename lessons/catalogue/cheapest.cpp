@@ -45,8 +45,9 @@ class Variant {
     double before = INFINITY;
     while (!reaches(tuned(knobs))) {
       const Point& now = tuned(knobs);
+      cut_ = now.outcome == Outcome::too_slow || ends();
       if (now.outcome == Outcome::too_slow && before < near) break;
-      if (now.outcome == Outcome::too_slow || knobs.substeps >= 4096 || ends()) return;
+      if (cut_ || knobs.substeps >= 4096) return;
       if (now.outcome == Outcome::no_solution && runs_.family().name == "direct" && knobs.regularisation == 0) {
         knobs.regularisation = 1e-9;  // rows that repeat each other
         continue;
@@ -95,7 +96,7 @@ class Variant {
 
   const Candidate& best() const { return best_; }
   Spent spent() const {
-    Spent all{runs_.made(), runs_.work()};
+    Spent all{runs_.made(), runs_.work(), cut_};
     for (const Runs& other : others_) all += {other.made(), other.work()};
     return all;
   }
@@ -207,6 +208,7 @@ class Variant {
   std::vector<Runs> others_;  // from the other starts
   double most_;
   Begins begins_;
+  bool cut_ = false;
   std::map<Knobs, double> over_;
   std::map<Knobs, Knobs> tuned_;
   Candidate best_;

@@ -124,7 +124,13 @@ class Choosing {
       take(with_all_errors(*cheaper->first.point.family, cheaper->first.point.knobs), cheaper->second);
       coarsen();
     }
-    if (search_.tighter && !wish_.limits.empty()) tighten();
+    certify();
+    if (choice_.reached && search_.tighter && !wish_.limits.empty()) {
+      const Point certified = choice_.best.point;
+      tighten();
+      if (!same_setting(certified, choice_.best.point)) certify();
+    }
+    if (!choice_.reached) return choice_;
     choice_.at_its_bound = choice_.at_its_bound || work() > 0.9 * by_finer_;
     auto limits = wish_.limits;
     if (limits.empty()) limits[Error::drift] = 2 * choice_.best.point[Error::drift];
@@ -178,6 +184,7 @@ class Choosing {
   };
   Coarsened coarsened(Contest& contest, Point point, Verification verification, double until);
   void coarsen();
+  void certify();
   void tighten();
   std::optional<Point> tighter(double share, const std::vector<const Family*>& able, double until,
                                double bound = INFINITY);
@@ -248,16 +255,18 @@ void Choosing::search_all() {
   const double rows = std::max(1, problem_.start().degrees_of_freedom());
   double level = wish_.limits.empty() ? INFINITY : 1000 * rows * choice_.limit.substeps;
   for (;; level *= 2.5) {
+    choice_.spent.cut = false;
     look(quick_, level, by_search_), look(exact_, level, by_search_);
     const bool all_of_them = work() <= search_.enough;
     if (all_of_them) look(rest_, level, by_search_);
     const bool spent_all = std::all_of(all_.begin(), all_.end(),
                                        [&](const Family& family) { return level >= budget_of(wish_, family); });
     if (all_of_them) choice_.searched = spent_all ? INFINITY : level;
-    // Or a run at this cost is more than one method may take.
-    choice_.at_its_bound = work() > 0.9 * by_search_ || level * screening(problem_) / frame > 2.5 * most_of_one_;
+    // A run at this cost is more than one method may take: a search that was not cut would find no more with more.
+    const bool dear = level * screening(problem_) / frame > 2.5 * most_of_one_;
+    choice_.at_its_bound = work() > 0.9 * by_search_ || (dear && choice_.spent.cut);
     // Until none is left out that costs little more than the cheapest.
-    if (level >= worth * cheapest_yet_ || spent_all || choice_.at_its_bound || level > hopeless ||
+    if (level >= worth * cheapest_yet_ || spent_all || dear || choice_.at_its_bound || level > hopeless ||
         work() > 3 * search_.enough)
       break;
   }
@@ -427,7 +436,7 @@ void Choosing::recommend() {
   choice_.runners_up.assign(kept_.begin() + 1, kept_.end());
 }
 
-/// Of each method's best run so far from the scene's own start, over the whole time: the best.
+/// Of each method's best runs so far from the scene's own start, over the whole time: the best.
 Candidate Choosing::nearest() {
   Candidate nearest = *std::min_element(found_.begin(), found_.end(), [&](const Candidate& a, const Candidate& b) {
     return preferred(a, b, wish_);
@@ -437,13 +446,19 @@ Candidate Choosing::nearest() {
   const auto before = [&](const Point& a, const Point& b) { return rank(a) < rank(b); };
   std::vector<Point> watched;  // in part
   if (nearest.point.outcome == Outcome::good) watched.push_back(nearest.point);
-  for (const std::vector<Known>& known : contest_.known)
-    if (!known.empty() && !known.front().empty())
-      watched.push_back(std::ranges::min_element(known.front(), before, &Known::value_type::second)->second);
+  for (const std::vector<Known>& known : contest_.known) {
+    if (known.empty()) continue;
+    std::vector<Point> own;
+    for (const auto& [knobs, point] : known.front()) own.push_back(point);
+    std::ranges::sort(own, before);
+    own.resize(std::min<std::size_t>(own.size(), 3));
+    watched.insert(watched.end(), own.begin(), own.end());
+  }
   std::ranges::sort(watched, before);
   nearest.excess = INFINITY, nearest.reached = false;
+  const auto cheapest = std::ranges::min_element(watched, {}, &Point::cost);
   for (const Point& one : watched) {
-    if (nearest.point.seconds > 0 && work() + whole_work(problem_, one.cost) > search_.most) break;
+    if (&one != &*cheapest && work() + whole_work(problem_, one.cost) > search_.most) continue;
     const Point point = whole(problem_, *one.family, one.knobs);
     const Candidate now{false, point, excess(point, wish_.limits)};
     if (preferred(now, nearest, wish_)) nearest = now;
@@ -536,6 +551,34 @@ void Choosing::coarsen() {
   if (!wish_.limits.empty()) choice_.best.excess = excess(point, wish_.limits);
   choice_.verified = verification;
   choice_.coarser = next;
+}
+
+/// Among many choices some keep by luck the starts that they are held against. So what is recommended is run from
+/// as many others, after the scene's own, and where it misses one, what takes its place is run from others again.
+void Choosing::certify() {
+  constexpr int most_tries = 5;
+  for (int tries = 1; choice_.verified.certified(); ++tries) {
+    contest_.verified_from.assign(certain + 1, 0);
+    std::iota(contest_.verified_from.begin() + 1, contest_.verified_from.end(), contest_.next);
+    contest_.next += certain;
+    const auto [verification, missed] = counted(contest_, choice_.best.point);
+    if (!missed && keeps_added(contest_, choice_.best.point)) {
+      choice_.verified = verification;
+      return;
+    }
+    if (missed) add(contest_, *missed);
+    Candidate next;
+    if (tries < most_tries) next = found_again(contest_, choice_.best, tries, work() + most_of_one_);
+    const auto other = std::ranges::find(choice_.runners_up, true, &Candidate::reached);
+    if (other != choice_.runners_up.end() && (!next.reached || preferred(*other, next, wish_))) {
+      next = *other;
+      choice_.runners_up.erase(other);
+    }
+    choice_.reached = next.reached, choice_.coarser = {};
+    if (!next.reached) return;
+    const Point best = with_all_errors(*next.point.family, next.point.knobs);
+    choice_.best = {true, best, excess(best, wish_.limits)};
+  }
 }
 
 /// Half and a tenth of the limits, by what keeps the wish and by the methods whose search is quick: what is exact

@@ -66,10 +66,12 @@ bool preferred(const Candidate& a, const Candidate& b, const Wish& wish);
 struct Spent {
   int runs = 0;
   double work = 0;
+  bool cut = false;  // whether it ended because a run or all of them cost more than was allowed
 
   Spent& operator+=(const Spent& other) {
     runs += other.runs;
     work += other.work;
+    cut = cut || other.cut;
     return *this;
   }
 };

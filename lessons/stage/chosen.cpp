@@ -14,7 +14,7 @@ using course::Page;
 using course::Value;
 
 constexpr double pace = 1.5e10;  // instructions a second, of two cores, that a search is reckoned with
-constexpr double soon = 8;     // after which an answer is given if there is one [s]
+constexpr double soon = 8;       // after which an answer is given if there is one [s]
 
 /// An answer of the chooser and what it is the answer to.
 struct Answer {
@@ -116,8 +116,10 @@ std::string margin_in_words(const Choice& choice, const Request& request) {
         "How much larger @ may be was not found: it takes more than a tenth of the work of the choice, or the "
         "true motion is not known there.",
         stress);
-  return course::say("Of larger values of @, tried @, the first at which it fails is @ times as large.", stress,
-                     strides_of_margin, Value(choice.margin, 3));
+  return course::say(
+      "Of larger values of @, tried @, the first at which it fails is @ times as large. Between these values "
+      "it was not tried.",
+      stress, strides_of_margin, Value(choice.margin, 3));
 }
 
 std::string looks_further_with(double patience) {
@@ -228,7 +230,7 @@ std::string nearest_in_words(const Choice& choice) {
     return course::say("Nothing that was tried kept it; the last was @, which costs more than this search allows.",
                        best.described());
   if (best.outcome != Outcome::good || !std::isfinite(choice.best.excess))
-    return best.reason.empty() ? "No run did its duty to the end."
+    return best.reason.empty() ? "None of the runs that were watched to the end did its duty."
                                : fmt::format("The run by {}: {}.", best.described(), best.reason);
   if (choice.best.excess <= 1)
     return course::say(
@@ -236,7 +238,9 @@ std::string nearest_in_words(const Choice& choice) {
         "keeps it from each of the others, which differ by up to a twentieth.",
         best.described(), Value(choice.best.excess, 2));
   return course::say(
-      "Of what was tried, @ came nearest from the file's own start, with @ times the error that is asked for.",
+      "Of the runs that were watched to the end @ came nearest from the file's own start, with @ times the error "
+      "that "
+      "is asked for.",
       best.described(), Value(choice.best.excess, 2));
 }
 
@@ -267,6 +271,12 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
     return page.text(
         "**No run of this file can keep that**: as it begins, a joint is open or bodies overlap by @ m already.",
         Value(open, 2));
+  if (const auto energy = request.limits.find(Error::energy);
+      energy != request.limits.end() && request.taken > energy->second)
+    return page.text(
+        "**No run of this file can keep that**: its first velocities pull joints apart, and the first step of any "
+        "method, which ends that, takes @ of the energy's scale.",
+        Value(request.taken, 2));
   const auto chosen_within = [&](double seconds) {
     Search search{.most = seconds * pace, .all_errors = false};
     search.verification = search.most / 10;

@@ -429,12 +429,14 @@ Request request_of(const SceneFile& file) {
     else
       request.limits[error] = limit;
   }
-  if (const auto energy = request.limits.find(Error::energy); energy != request.limits.end())
-    if (const double taken = energy_taken_at_first(any(file)) / pilot.scale; taken > 0.1 * energy->second)
+  if (const auto energy = request.limits.find(Error::energy); energy != request.limits.end()) {
+    request.taken = energy_taken_at_first(any(file)) / pilot.scale;
+    if (request.taken > 0.1 * energy->second && request.taken <= energy->second)
       request.notes.push_back(fmt::format(
           "The first velocities pull joints apart. The first step of any method ends that, which takes "
           "{:.2g} of the energy's scale: so much of the limit of {:.2g} is spent.",
-          taken, energy->second));
+          request.taken, energy->second));
+  }
   if (request.limits.empty()) {
     request.limits[Error::drift] = 0.01 * scene.body;
     request.notes.push_back(fmt::format(

@@ -15,6 +15,7 @@ struct Request {
   std::map<Error, double> limits;    // in the unit of each error
   double seconds = 0;                // that runs are watched: the file's duration, or less of a large scene [s]
   bool broke = false;                // whether a fine step has no answer then
+  double taken = 0;                  // of the energy's scale by the first step, where first velocities do not fit
   double last_motion = INFINITY;     // of any body in the last tenth of the time before it is compared [m]
   std::vector<std::string> notes{};  // what the file asks for and the chooser cannot tell, a sentence each
 };

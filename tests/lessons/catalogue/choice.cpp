@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "lessons/catalogue/cheapest.hpp"
@@ -365,6 +366,45 @@ TEST(Chooser, TakesNoMoreThanItMayAndShowsWhatItHas) {
   }
 }
 
+// No choice comes nearer to a place where nothing moves.
+TEST(Chooser, TellsASearchThatEndedByItselfFromOneThatWasCut) {
+  NamedScene scene = named_scene("pendulum");
+  scene.exact = [exact = scene.exact](const Problem& problem) {
+    return [known = exact(problem)](double time) {
+      ExactState state = known(time);
+      state.positions[0].x() += 1;
+      return state;
+    };
+  };
+  const Wish wish{.limits = {{Error::trajectory, 0.05}}};
+  const Choice all = choose(Problem(scene), wish, {.most = 1e11}),
+               few = choose(Problem(scene), wish, {.most = 1e8});
+  EXPECT_FALSE(all.reached || all.at_its_bound);
+  EXPECT_FALSE(few.reached);
+  EXPECT_TRUE(few.at_its_bound);
+  EXPECT_NEAR(all.best.excess, 20, 1);
+}
+
+// Each start that a search and its verifications look at first is kept by most choices, any other by none.
+TEST(Chooser, CertifiesFromStartsThatNoChoiceWasHeldAgainst) {
+  NamedScene scene = named_scene("pendulum");
+  const Problem plain(scene);
+  std::set<double> seen;
+  for (int number = 0; number < certain; ++number)
+    for (const int seed : {1, 1000}) seen.insert(plain.variation(number, seed)["angle"]);
+  scene.exact = [exact = scene.exact, &seen](const Problem& problem) {
+    const bool elsewhere = !seen.contains(problem["angle"]);
+    return [known = exact(problem), elsewhere](double time) {
+      ExactState state = known(time);
+      if (elsewhere) state.positions[0].x() += 1;
+      return state;
+    };
+  };
+  const Choice choice = choose(Problem(scene), {.limits = {{Error::trajectory, 0.05}}}, {.verification = 1e13});
+  EXPECT_FALSE(choice.reached);
+  EXPECT_LE(choice.best.excess, 1) << "from its own start";
+}
+
 // From where nobody knows the true motion no run is judged: other starts take the place of those.
 TEST(Chooser, LeavesOutStartsWhoseTrueMotionIsNotKnown) {
   NamedScene scene = named_scene("pendulum");
@@ -385,7 +425,7 @@ TEST(Chooser, LeavesOutStartsWhoseTrueMotionIsNotKnown) {
   const Wish wish{.limits = {{Error::trajectory, 0.05}}};
   const Choice choice = choose(problem, wish, {.verification = 1e13});
   ASSERT_TRUE(choice.reached);
-  EXPECT_EQ(choice.verified.starts, certain);
+  EXPECT_EQ(choice.verified.starts, certain + 1) << "after the scene's own";
   EXPECT_TRUE(choice.verified.certified());
   EXPECT_GE(choice.verified.left_out, among);
   const Verification of_first = verify(starts, choice.best.point, wish);

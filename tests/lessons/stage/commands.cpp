@@ -127,6 +127,23 @@ TEST_F(SceneCommand, SaysWhichErrorsOfItsAnswerWereNotMeasuredAndGivesEachAnswer
   EXPECT_THAT(ran.said, ContainsRegex("Its\\s+errors\\s+of\\s+trajectory\\s+and\\s+reaction\\s+were\\s+not"));
   EXPECT_THAT(ran.said, HasSubstr("C++, cheapest, robust, ten times better"));
 }
+// A link that moves at its centre, pinned to the world and to one at rest.
+TEST_F(SceneCommand, SaysThatFirstVelocitiesTakeMoreEnergyThanALimitAllows) {
+  const auto asked = [&](double energy) {
+    return scene_into(
+               written(fmt::format(R"({{"model": "plane", "duration": 3, "accuracy": {{"energy": {}}}, "bodies": [
+        {{"fixed": true, "position": [0, 0]}},
+        {{"mass": 1, "inertia": [0.1], "position": [0.5, 0], "velocity": [0, 1]}},
+        {{"mass": 1, "inertia": [0.1], "position": [1.5, 0]}}], "constraints": [
+        {{"kind": "pin", "bodies": [0, 1], "point": [0, 0]}}, {{"kind": "pin", "bodies": [1, 2], "point": [1, 0]}}]}})",
+                                   energy))
+                   .string() +
+               " --choose")
+        .said;
+  };
+  EXPECT_THAT(asked(0.001), ContainsRegex("No\\s+run\\s+of\\s+this\\s+file\\s+can\\s+keep\\s+that"));
+  EXPECT_THAT(asked(0.05), ContainsRegex("so\\s+much\\s+of\\s+the\\s+limit\\s+of\\s+0.05\\s+is\\s+spent"));
+}
 
 TEST(CaseCommand, ListsTheCasesAndChecksOne) {
   EXPECT_THAT(run(BYHAND_CASE).said, HasSubstr("https://github.com/dartsim/dart/issues/3442"));
