@@ -2,7 +2,10 @@
 
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
+#include <limits>
 
 #include "lessons/engines/in_space.hpp"
 #include "lessons/engines/mujoco_model.hpp"
@@ -42,6 +45,10 @@ class Mujoco : public World<M> {
   }
 
   void read(Bodies<M>& bodies) const override {
+    if (began_anew()) {
+      for (Pose<M>& pose : bodies.pose) pose.position.setConstant(std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
     // After a step positions are new, but what follows from them is that of its beginning.
     mj_kinematics(model_.get(), data_.get());
     mj_comPos(model_.get(), data_.get());
@@ -72,6 +79,12 @@ class Mujoco : public World<M> {
   }
 
  private:
+  /// As it does where numbers overflow.
+  bool began_anew() const {
+    return std::ranges::any_of(std::array{mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC},
+                               [&](int what) { return data_->warning[what].number > 0; });
+  }
+
   struct Free {
     void operator()(mjModel* model) const { mj_deleteModel(model); }
     void operator()(mjData* data) const { mj_deleteData(data); }

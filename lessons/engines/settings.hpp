@@ -45,7 +45,7 @@ struct Setting {
 
 /// Steps a frame that each engine is tried with; it may count them as substeps.
 inline constexpr std::array joint_steps{1, 2, 3, 4, 8, 16, 32};
-inline constexpr std::array contact_steps{1, 2, 4, 8};
+inline constexpr std::array contact_steps{1, 2, 4, 8, 32};
 /// Iterations a frame that an iterative engine is tried with.
 inline constexpr std::array joint_iterations{32, 128, 512, 2048};
 inline constexpr std::array contact_iterations{32, 128};

@@ -7,6 +7,8 @@ export async function load(modules) {
 
   return ({ scene: { flat, bodies, pins, model: text } }) => {
     const model = mujoco.MjModel.from_xml_string(text), data = new mujoco.MjData(model);
+    // It would begin anew where numbers overflow.
+    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET.value;
     const places = bodies.map((_, i) => mujoco.mj_name2id(model, body, `${i}`));
     const free = bodies.map(({ fixed }, i) => !fixed && pins.every(({ bodies: [, below] }) => below !== i));
     const rotation = i => data.xquat.slice(4 * places[i], 4 * places[i] + 4);

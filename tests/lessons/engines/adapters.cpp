@@ -305,6 +305,19 @@ TEST(Engines, OdeIsNotSteppedOnceItHasExploded) {
   }
 }
 
+// MuJoCo would begin anew, as if nothing had happened.
+TEST(Engines, MujocoTellsThatItHasExploded) {
+  Scene<M> scene = box_on_incline(0.3, 0.4);
+  scene.state().velocity[1] = {1e200, 1e200, 1e200};
+  for (const Engine& engine : everybody()) {
+    if (!engine.name.starts_with("MuJoCo")) continue;
+    const Eigen::Vector2d began = scene.bodies().pose[1].position;
+    run<M>(contestant<M>(engine, {}), scene, 3, [&](const Scene<M>& seen, double) {
+      EXPECT_FALSE((seen.bodies().pose[1].position - began).norm() < 1e3) << engine.name;
+    });
+  }
+}
+
 TEST(Contest, IsAheadOnlyByMoreThanATenthOfTheTime) {
   const std::vector<Point> ours{{{1, 1.2}, 1e-2}, {{10, 12}, 1e-4}};
   const auto rank = [&](const Point& point) { return at_equal_time({point}, ours).rank; };
