@@ -325,8 +325,10 @@ struct Compared {
 
 template <class M>
 Compared best_of(const Field<M>& field) {
-  return {std::isfinite(field.most_work) ? say("At their best of up to @ iterations a frame,", field.most_work)
-                                         : std::string("At their best,"),
+  const int steps = field.kind == Kind::joints ? engines::joint_steps.back() : engines::contact_steps.back();
+  return {std::isfinite(field.most_work)
+              ? say("At their best of up to @ iterations in up to @ steps a frame,", field.most_work, steps)
+              : say("At their best in up to @ steps a frame,", steps),
           [](const Errors& one) { return one.spread(one.best_setting()); }};
 }
 

@@ -133,7 +133,7 @@ void the_engines(const Setting& setting, Page& page) {
   page.text(
       R"(Semismooth Newton solves for all impulses at once, and again with other bounds active until none changes.
       *As shipped*: only what must be set is set, and switched off is what would take energy that the scenes do not lose:
-      damping, friction of joints and, where an engine lets it, limits of speed. *As its manual advises*: the knob that a source of its makers names is
+      damping, friction of joints and, where an engine lets it, limits of linear speed (those of turning stay). *As its manual advises*: the knob that a source of its makers names is
       turned the way it says, to its number or, where it gives none, to one of our choice: twice the iterations, substeps
       or, of ODE's chain, steps, ten times MuJoCo's impratio, which its manual advises against slip, four times this course's
       substeps and 128 of its sweeps. For PhysX's articulations it is an example that its makers give. Both stand in `lessons/engines/settings/` (for this
@@ -148,7 +148,7 @@ void the_engines(const Setting& setting, Page& page) {
         this machine; a table names the first of equals. A float has 24 bits; at 50 m the last of them is 4 µm, which is
         about as far as an engine in single precision can close a gap there. So the comparison of chains with one ends at 4 µm,
         all others at 1 µm, and at 10⁻⁶ rad. Above that, errors within a hundredth count as equal. Times do within a tenth, and
-        an engine counts as ahead only if its slowest round is ahead of this course's quickest.)",
+        an engine counts as ahead only if it still is with a tenth more time than its quickest round, and as level without.)",
         numbers(engines::joint_steps), numbers(engines::contact_steps), engines::joint_iterations.back(),
         most_of_a_pendulum, most_in_space, most_of_contacts, most_of_a_wall_in_space);
   if (const auto out = left_out(setting, Party::native); !out.empty()) page.table(head_of_left_out, out);

@@ -110,8 +110,8 @@ void tell_beyond_the_limit(Page& page, const Field<M>& field, const Scene<M>& sc
   const auto moved =
       with_spreads(beyond, scene, outcomes_of(beyond, [&](const auto& who) { return watched(who, scene, 0); }));
   page.text(
-      R"(The limit of @ iterations is for the time that this page takes. This course and @, which has the least of the
-      others within it, with up to @:)",
+      R"(The limit of @ iterations is for the time that this page takes. This course and @, whose largest error
+      from these starts is the least of the others within it, with up to @:)",
       field.most_work, next->name, beyond.most_work);
   page.table(head_of_three_rows, three_rows<M>(beyond, moved, Unit::metres));
   page.text("@", judged_at_best(page, beyond, moved, Unit::metres));

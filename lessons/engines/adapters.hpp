@@ -20,6 +20,9 @@ inline std::string version_text(int major, int minor, int patch) {
   return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
 }
 
+/// Of an engine that limits how fast bodies move [m/s].
+inline constexpr float no_limit_of_speed = 1e5f;
+
 inline double angle_of(const PlaneRotation<double>& rotation) { return std::atan2(rotation.sin, rotation.cos); }
 inline PlaneRotation<double> rotation_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
 

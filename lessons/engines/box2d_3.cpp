@@ -21,6 +21,7 @@ class Box2d3 : public World<M> {
     def.gravity = vector(scene.gravity);
     def.enableSleep = false;
     world_ = b2CreateWorld(&def);
+    b2World_SetMaximumLinearSpeed(world_, no_limit_of_speed);
     for (int i = 0; i < scene.bodies().size(); ++i) add(scene.bodies(), i);
     for_each_shape(
         scene,
@@ -130,6 +131,7 @@ void add_box2d_3(std::vector<Engine>& all) {
                  .file = "lessons/engines/settings/box2d_3.cpp",
                  .home = Home::plane,
                  .single = true,
+                 .build = "built without its option of double precision",
                  .settings = box2d_3_settings(),
                  .in_plane = build});
 }

@@ -23,6 +23,7 @@ class Box3d : public World<M> {
     def.gravity = vector(in_space(scene.gravity));
     def.enableSleep = false;
     world_ = b3CreateWorld(&def);
+    b3World_SetMaximumLinearSpeed(world_, no_limit_of_speed);
     for (int i = 0; i < scene.bodies().size(); ++i) add(scene.bodies(), i);
     for_each_shape(
         scene,
@@ -128,6 +129,7 @@ void add_box3d(std::vector<Engine>& all) {
                  .method = "one sweep a substep, soft joints and contacts, then a relaxing sweep",
                  .file = "lessons/engines/settings/box3d.cpp",
                  .single = true,
+                 .build = "built without its option of double precision",
                  .settings = box3d_settings(),
                  .in_plane = build<PlaneBody>,
                  .in_space = build<SpaceBody>});
