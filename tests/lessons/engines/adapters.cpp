@@ -270,11 +270,11 @@ TEST(Engines, EachIsTriedWithTheSameStepsAndIterations) {
   const auto steps = [](const Setting& setting) { return setting.steps * setting.knobs.value("substeps", 1); };
   const auto set = [](const auto& numbers) { return std::set<double>(numbers.begin(), numbers.end()); };
   // All of these iterations a frame, and none that no share comes to: of 32 in 3 steps, 30.
-  const auto of = [](const std::set<double>& tried, const std::set<double>& all,
+  const auto of = [](const std::set<double>& numbers, const std::set<double>& least,
                      const std::vector<Shares>& shares) {
     std::set<double> shared;
     for (const Shares& one : shares) shared.insert(one.steps * one.iterations);
-    return std::ranges::includes(tried, all) && std::ranges::includes(shared, tried);
+    return std::ranges::includes(numbers, least) && std::ranges::includes(shared, numbers);
   };
   for (const Engine& engine : all) {
     const auto joints = tried(engine.settings.joints, iterations_a_frame),
