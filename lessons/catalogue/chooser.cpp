@@ -514,7 +514,7 @@ std::optional<std::pair<Candidate, Verification>> Choosing::drawn(Contest& conte
   std::optional<std::pair<Candidate, Verification>> best;
   const double left = by_finer_ - work(),
                until = work() + std::min(std::max(100 * whole_work(problem_, from.cost), search_.enough / 10),
-                                         std::max(search_.most / 20, left / 5));
+                                         std::max(search_.most / 20, left / 10));
   for (int round = 0; round < rounds && work() < until; ++round) {
     const Candidate now = cheapest_drawn(draws_, contest.starts, contest.wish, near, bound, methods, draws,
                                          until - work(), choice_.spent, search_.side_by_side);

@@ -13,8 +13,8 @@ namespace {
 using course::Page;
 using course::Value;
 
-constexpr double pace = 1.2e10;  // instructions a second, of two cores, that a search is reckoned with
-constexpr double soon = 8;       // after which an answer is given if there is one [s]
+constexpr double pace = 1e10;  // instructions a second, of two cores, that a search is reckoned with
+constexpr double soon = 8;     // after which an answer is given if there is one [s]
 
 /// An answer of the chooser and what it is the answer to.
 struct Answer {
