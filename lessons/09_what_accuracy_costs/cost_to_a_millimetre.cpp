@@ -29,17 +29,20 @@ struct Scaling {
 };
 
 /// What reaches it from a few starts at the least cost, with so many more substeps that it keeps it from all of
-/// `starts` others over the whole time.
+/// `starts`, of which the first is the chain's own, over the whole time.
 Candidate cheapest_kept(const Problem& problem, const Family& family, double most) {
-  constexpr int few = 2, of_tuning = 1000, of_verification = 1;  // starts, and seeds of the others
+  constexpr int few = 2;
   const Wish wish{.limits = {{Error::drift, wanted_drift}}};
-  Candidate found = cheapest(variations(problem, first_numbers(few), of_tuning), family, wish, most);
+  Candidate found = cheapest(variations(problem, first_numbers(few), seed_of_searches), family, wish, most);
   if (!found.reached) return found;
-  const std::vector<Problem> others = variations(problem, first_numbers(starts), of_verification);
+  const std::vector<int> numbers = first_numbers(starts);
+  const std::vector<Problem> others = variations(problem, std::span(numbers).subspan(1), seed_of_verifications);
   for (Knobs knobs = found.point.knobs;; knobs.substeps += std::max(1, knobs.substeps / 8)) {
     found.point = whole_run(problem, family, knobs, wish);
     found.reached = found.point.cost <= most;
-    if (!found.reached || verify(others, found.point, wish, one_after_another, true).kept()) return found;
+    if (!found.reached) return found;
+    const bool own = excess(found.point, wish.limits) <= 1;
+    if (own && verify(others, found.point, wish, one_after_another, true).kept()) return found;
   }
 }
 

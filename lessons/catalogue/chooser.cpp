@@ -15,10 +15,8 @@ namespace {
 
 // For choices that also keep a start that was missed; then by more substeps, and in all.
 constexpr int most_searches = 10, most_misses = 40;
-constexpr double worth = 1.5;      // times the cheapest: what costs more is not looked for
-constexpr double hopeless = 1e13;  // instructions a frame
-// The seeds of the starts of verifications, and of those that a search holds what it finds against.
-constexpr int of_verification = 1, of_search = 1000;
+constexpr double worth = 1.5;            // times the cheapest: what costs more is not looked for
+constexpr double hopeless = 1e13;        // instructions a frame
 constexpr std::size_t most_answers = 3;  // the recommended one and its runners-up
 
 /// What a run over the whole time takes that costs so much a frame.
@@ -99,12 +97,12 @@ class Choosing {
       : problem_(problem), wish_(wish), search_(search), truths_(problem, wish) {
     std::vector<int> others(static_cast<std::size_t>(other_starts(problem, wish, search)));
     std::iota(others.begin(), others.end(), 1);
-    for (const int start : others) first_starts_.push_back(problem.variation(start, of_search));
+    for (const int start : others) first_starts_.push_back(problem.variation(start, seed_of_searches));
     if (asks_for_reference(wish.limits))
       search.side_by_side(static_cast<int>(first_starts_.size()),
                           [&](int i) { first_starts_[static_cast<std::size_t>(i)].reference(); });
     begin(contest_);
-    choice_.spent.work += truths_.work(of_search, others);
+    choice_.spent.work += truths_.work(seed_of_searches, others);
     choice_.limit = limit_of(problem);
     for (std::size_t i = 0; i < all_.size(); ++i)
       (all_[i].exact && all_[i].solves_rows      ? quick_
@@ -324,10 +322,11 @@ Candidate Choosing::found_again(Contest& contest, const Candidate& candidate, in
 Choosing::Counted Choosing::counted(Contest& contest, const Point& point) {
   const auto run_from = [&](const std::vector<int>& numbers, const Wish& wish) {
     const auto result =
-        verify(variations(problem_, numbers, of_verification), point, wish, search_.side_by_side, true);
+        verify(variations(problem_, numbers, seed_of_verifications), point, wish, search_.side_by_side, true);
     const int runs = result.starts + static_cast<int>(result.unknown.size());
     choice_.spent += {runs, runs * whole_work(problem_, point.cost)};
-    work() += asks_for_reference(wish.limits) ? truths_.work(of_verification, std::span(numbers).first(runs)) : 0;
+    work() +=
+        asks_for_reference(wish.limits) ? truths_.work(seed_of_verifications, std::span(numbers).first(runs)) : 0;
     return result;
   };
   Verification verification = run_from(contest.verified_from, contest.wish);
@@ -363,8 +362,8 @@ bool Choosing::keeps_added(const Contest& contest, const Point& point) {
 
 /// Holds the search against this start of the verification, too, in which another takes its place.
 void Choosing::add(Contest& contest, int missed) {
-  contest.starts.push_back(problem_.variation(missed, of_verification));
-  work() += truths_.work(of_verification, std::array{missed});
+  contest.starts.push_back(problem_.variation(missed, seed_of_verifications));
+  work() += truths_.work(seed_of_verifications, std::array{missed});
   contest.next = std::max(contest.next, missed + 1);
   std::ranges::replace(contest.verified_from, missed, contest.next++);
 }
@@ -456,9 +455,9 @@ Candidate Choosing::nearest() {
   }
   std::ranges::sort(watched, before);
   nearest.excess = INFINITY, nearest.reached = false;
-  const auto cheapest = std::ranges::min_element(watched, {}, &Point::cost);
+  const auto least = std::ranges::min_element(watched, {}, &Point::cost);
   for (const Point& one : watched) {
-    if (&one != &*cheapest && work() + whole_work(problem_, one.cost) > search_.most) continue;
+    if (&one != &*least && work() + whole_work(problem_, one.cost) > search_.most) continue;
     const Point point = whole(problem_, *one.family, one.knobs);
     const Candidate now{false, point, excess(point, wish_.limits)};
     if (preferred(now, nearest, wish_)) nearest = now;

@@ -15,6 +15,9 @@ namespace byhand {
 /// 0.95⁵⁹ < 0.05.
 inline constexpr int certain = 59;
 
+/// Of the starts of verifications, and of those that a search holds what it finds against.
+inline constexpr int seed_of_verifications = 1, seed_of_searches = 1000;
+
 /// A run from each of several initial conditions.
 struct Verification {
   int starts = 0, good = 0, within = 0;  // did their duty; had errors within the limits, too

@@ -239,8 +239,7 @@ std::string nearest_in_words(const Choice& choice) {
         best.described(), Value(choice.best.excess, 2));
   return course::say(
       "Of the runs that were watched to the end @ came nearest from the file's own start, with @ times the error "
-      "that "
-      "is asked for.",
+      "that is asked for.",
       best.described(), Value(choice.best.excess, 2));
 }
 
