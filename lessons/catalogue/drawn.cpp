@@ -44,7 +44,7 @@ std::pair<const Family*, Knobs> Draws::next(const Problem& problem, std::span<co
 Candidate cheapest_drawn(Draws& draws, std::span<const Problem> starts, const Wish& wish, std::vector<Point> from,
                          double bound, std::span<const Family* const> methods, int count, double most,
                          Spent& spent, const SideBySide& side_by_side) {
-  constexpr int batch = 16;
+  constexpr int batch = 64;  // so many that no core waits long for the dearest of them
   constexpr double gain = 0.97;
   Candidate best;
   double work = 0;
