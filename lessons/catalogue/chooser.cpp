@@ -114,16 +114,19 @@ class Choosing {
   Choice made() {
     search_all();
     kept_ = verified_with_dearer();
+    if (kept_.empty() && choice_.at_its_bound && !wish_.limits.empty()) kept_ = verified_with_shorter_steps();
     recommend();
     tell_others();
     if (!choice_.reached) return choice_;
     coarsen();
-    if (const auto cheaper = drawn(contest_, choice_.best.point, choice_.best.point.cost)) {
-      take(with_all_errors(*cheaper->first.point.family, cheaper->first.point.knobs), cheaper->second);
-      coarsen();
-    }
+    const bool time_left = work() < by_finer_;
+    if (time_left)
+      if (const auto cheaper = drawn(contest_, choice_.best.point, choice_.best.point.cost)) {
+        take(with_all_errors(*cheaper->first.point.family, cheaper->first.point.knobs), cheaper->second);
+        coarsen();
+      }
     certify();
-    if (choice_.reached && search_.tighter && !wish_.limits.empty()) {
+    if (choice_.reached && search_.tighter && time_left && !wish_.limits.empty()) {
       const Point certified = choice_.best.point;
       tighten();
       if (!same_setting(certified, choice_.best.point)) certify();
@@ -170,6 +173,7 @@ class Choosing {
   std::vector<Candidate> verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
                                   double until, double until_first);
   std::vector<Candidate> verified_with_dearer();
+  std::vector<Candidate> verified_with_shorter_steps();
   void recommend();
   Candidate nearest();
   void tell_others();
@@ -288,15 +292,16 @@ Candidate Choosing::with_more_substeps(const Contest& contest, const Candidate& 
   const double budget = budget_of(wish, family);
   Candidate more = candidate;
   more.reached = false;
+  const int from = candidate.point.knobs.substeps;
   const auto kept = [&](const Problem& start) {
+    const double cost = candidate.point.cost * more.point.knobs.substeps / from;
+    if (work() + whole_work(problem_, cost) > until) return false;
     more.point = whole(start, family, more.point.knobs);
     more.excess = wish.limits.empty() ? more.point[Error::drift] : excess(more.point, wish.limits);
     return more.point.outcome == Outcome::good && (wish.limits.empty() || more.excess <= 1) &&
            more.point.cost <= budget;
   };
-  for (int parts = first; parts <= last && !more.reached && more.point.cost <= budget && work() <= until;
-       parts *= 2) {
-    const int from = candidate.point.knobs.substeps;
+  for (int parts = first; parts <= last && !more.reached && more.point.cost <= budget; parts *= 2) {
     more.point.knobs.substeps = std::max(more.point.knobs.substeps + 1, from + from * parts / 16);
     more.reached = std::all_of(contest.starts.rbegin(), contest.starts.rend(), kept);  // the scene's own last
   }
@@ -424,6 +429,33 @@ std::vector<Candidate> Choosing::verified_with_dearer() {
                    [&](const Candidate& a, const Candidate& b) { return preferred(a, b, wish_); });
   if (kept.size() > most_answers) kept.resize(most_answers);
   return kept;
+}
+
+/// What came nearest, of the methods that solve their rows exactly and of all others, with steps that are shorter
+/// by far: no search has looked for these, as one ends where it found what keeps its own few starts, or where its
+/// runs cost too much.
+std::vector<Candidate> Choosing::verified_with_shorter_steps() {
+  std::array<std::optional<Candidate>, 2> nearest;
+  for (const Candidate& one : found_) {
+    if (one.point.outcome != Outcome::good || !one.point.family) continue;
+    std::optional<Candidate>& of_its_kind = nearest[one.point.family->exact];
+    if (!of_its_kind || one.excess < of_its_kind->excess) of_its_kind = one;
+  }
+  for (std::optional<Candidate>& one : nearest)
+    while (one && work() < by_finer_) {
+      *one = with_more_substeps(contest_, *one, 16, 1024, by_finer_);
+      if (!one->reached) break;
+      starts_ = count_of_starts(problem_, wish_, one->point.cost, search_);
+      if (work() + starts_ * whole_work(problem_, one->point.cost) > search_.most) break;
+      contest_.verified_from = first_numbers(starts_), contest_.next = std::max(contest_.next, starts_);
+      const auto [verification, missed] = counted(contest_, one->point);
+      if (!missed && keeps_added(contest_, one->point)) {
+        choice_.verified = verification;
+        return {*one};
+      }
+      if (missed) add(contest_, *missed);
+    }
+  return {};
 }
 
 /// The cheapest that keeps the wish, or what comes nearest.

@@ -366,6 +366,16 @@ TEST(Chooser, TakesNoMoreThanItMayAndShowsWhatItHas) {
   }
 }
 
+// The search has no time to look at runs that are as dear as that.
+TEST(Chooser, TriesStepsThatAreShorterByFarBeforeItGivesUp) {
+  const Wish wish{.limits = {{Error::trajectory, 1e-4}}};
+  const Choice choice =
+      choose(Problem("incline"), wish, {.starts = 4, .verification = 1e8, .tighter = false, .most = 1e9});
+  ASSERT_TRUE(choice.reached);
+  EXPECT_TRUE(choice.verified.kept());
+  EXPECT_TRUE(choice.at_its_bound);
+}
+
 // No choice comes nearer to a place where nothing moves.
 TEST(Chooser, TellsASearchThatEndedByItselfFromOneThatWasCut) {
   NamedScene scene = named_scene("pendulum");
@@ -472,7 +482,7 @@ TEST(Draws, FindWhatKeepsTheWishForLess) {
 }
 
 TEST(Chooser, CallsNearestWhatErrsLeastOfAllThatWasTried) {
-  const Wish wish{.limits = {{Error::energy, 1e-9}, {Error::drift, 1e-9}, {Error::trajectory, 1e-10}}};
+  const Wish wish{.limits = {{Error::energy, 1e-9}, {Error::drift, 1e-9}, {Error::trajectory, 1e-13}}};
   const Choice choice = choose(Problem("double_pendulum"), wish, {.starts = 4, .enough = 1e9, .most = 2e9});
   ASSERT_FALSE(choice.reached);
   EXPECT_GT(choice.best.excess, 1);
