@@ -270,8 +270,8 @@ TEST(Engines, EachIsTriedWithTheSameStepsAndIterations) {
   const auto steps = [](const Setting& setting) { return setting.steps * setting.knobs.value("substeps", 1); };
   const auto set = [](const auto& numbers) { return std::set<double>(numbers.begin(), numbers.end()); };
   // All of these iterations a frame, and none that no share comes to: of 32 in 3 steps, 30.
-  const auto of = [](const std::set<double>& numbers, const std::set<double>& least,
-                     const std::vector<Shares>& shares) {
+  const auto as_shared = [](const std::set<double>& numbers, const std::set<double>& least,
+                            const std::vector<Shares>& shares) {
     std::set<double> shared;
     for (const Shares& one : shares) shared.insert(one.steps * one.iterations);
     return std::ranges::includes(numbers, least) && std::ranges::includes(shared, numbers);
@@ -286,9 +286,10 @@ TEST(Engines, EachIsTriedWithTheSameStepsAndIterations) {
     }
     EXPECT_EQ(tried(engine.settings.joints, steps), set(joint_steps)) << engine.name;
     EXPECT_EQ(tried(engine.settings.contacts, steps), set(contact_steps)) << engine.name;
-    EXPECT_TRUE(joints == set(joint_steps) || of(joints, set(joint_iterations), shares_of_joints()))
+    EXPECT_TRUE(joints == set(joint_steps) || as_shared(joints, set(joint_iterations), shares_of_joints()))
         << engine.name;
-    EXPECT_TRUE(contacts == set(contact_steps) || of(contacts, set(contact_iterations), shares_of_contacts()))
+    EXPECT_TRUE(contacts == set(contact_steps) ||
+                as_shared(contacts, set(contact_iterations), shares_of_contacts()))
         << engine.name;
   }
 }
