@@ -7,14 +7,16 @@ namespace byhand::engines {
 namespace {
 
 const std::string
+    layer_source = "objects.h: dWorldSetContactSurfaceLayer, 0.001 can prevent jittering",
     iterations_source =
-        "objects.h, dWorldSetQuickStepNumIterations: more iterations give a more accurate solution",
-    contact_source =
-        "objects.h: dWorldSetContactSurfaceLayer, 0.001 can prevent jittering; more CFM is the first remedy for "
-        "rows that are nearly singular, 1e-5 being what it has in single precision",
+        layer_source + "; dWorldSetQuickStepNumIterations: more iterations give a more accurate solution",
+    contact_source = layer_source +
+                     "; more CFM is the first remedy for rows that are nearly singular, 1e-5 being what it has in "
+                     "single precision",
     step_source = "wiki, HOWTO make the simulation better: a smaller step is more accurate and more stable";
 const Setting advised_for_joints{.row = Row::advised, .steps = 2, .source = step_source},
-    quick_for_contacts{.row = Row::advised, .knobs = {{"iterations", 40}}, .source = iterations_source},
+    quick_for_contacts{
+        .row = Row::advised, .knobs = {{"iterations", 40}, {"layer", 0.001}}, .source = iterations_source},
     direct_for_contacts{.row = Row::advised, .knobs = {{"layer", 0.001}, {"CFM", 1e-5}}, .source = contact_source};
 
 }  // namespace
