@@ -114,14 +114,26 @@ std::string failures(const std::vector<Outcomes<Hung>>& all) {
   return words;
 }
 
-/// Which of the table's settings fail later, watched on from one start.
+/// Of the settings whose gap is the best, the one whose energy changes least.
+std::size_t best_by_gap_and_energy(const Outcomes<Hung>& one, const Errors& gaps) {
+  std::size_t best = gaps.best_setting();
+  for (std::size_t i = 0; i < one.by_setting.size(); ++i)
+    if (told(one.by_setting[i].gap) <= told(gaps.best()) &&
+        std::abs(one.by_setting[i].gained) < std::abs(one.by_setting[best].gained))
+      best = i;
+  return best;
+}
+
+/// Which of both rows and of the best settings fail later, watched on from one start.
 template <class M>
-void tell_later(Page& page, const Field<M>& field, const std::vector<Errors>& gaps, const Scene<M>& scene) {
+void tell_later(Page& page, const Field<M>& field, const std::vector<Outcomes<Hung>>& outcomes,
+                const std::vector<Errors>& gaps, const Scene<M>& scene) {
   constexpr double minute = 60;  // [s]
   std::vector<std::string> failed;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     std::map<std::size_t, std::string> rows{{0, row_names[0]}, {1, row_names[1]}};
-    if (!alone()) rows.emplace(gaps[i].best_setting(), "at its best");
+    if (!alone())
+      rows.emplace(best_by_gap_and_energy(outcomes[i], gaps[i]), "at its best by the gap and of equals by energy");
     for (const auto& [setting, row] : rows) {
       if (!std::isfinite(gaps[i].by_setting[setting])) continue;
       const Hung hung = hang<M>(field.entrants[i].settings[setting], scene, static_cast<int>(minute / frame));
@@ -143,19 +155,11 @@ void tell_gaps(Page& page, const Field<M>& field, const std::vector<Outcomes<Hun
                const std::vector<Errors>& gaps, const Scene<M>& scene) {
   tell_three<M>(page, field, gaps, Unit::metres);
   if (const std::string how = failures(outcomes); !how.empty()) page.text("@", how);
-  tell_later(page, field, gaps, scene);
+  tell_later(page, field, outcomes, gaps, scene);
 }
 
 std::string in_per_cent(double share) {
   return std::isfinite(share) ? say("@ %", Value(100 * share, 2)) : std::string("failed");
-}
-
-/// The least change of energy of those settings whose gap is the best.
-double least_by_gap(const Outcomes<Hung>& one, double best) {
-  double least = INFINITY;
-  for (const Hung& hung : one.by_setting)
-    if (told(hung.gap) <= told(best) && std::abs(hung.gained) < std::abs(least)) least = hung.gained;
-  return least;
 }
 
 /// Energy of the rows that the gap is told of.
@@ -166,7 +170,7 @@ std::vector<std::vector<std::string>> energies(const std::vector<Outcomes<Hung>>
     rows.push_back(
         {all[i].name, in_per_cent(all[i].by_setting[0].gained), in_per_cent(all[i].by_setting[1].gained)});
   for (std::size_t i = 0; i < all.size() && !alone(); ++i)
-    rows[i].push_back(in_per_cent(least_by_gap(all[i], gaps[i].best())));
+    rows[i].push_back(in_per_cent(all[i].by_setting[best_by_gap_and_energy(all[i], gaps[i])].gained));
   return rows;
 }
 std::vector<std::string> head_of_energies() {
@@ -281,7 +285,8 @@ void chains(const Setting& setting, Page& page) {
       the same start part in so long a time. So both rows, and what is near the best, are run from @ more starts, let go
       up to @ µrad lower, and tables show the range of these @. The gap is that of the worst pin. A run has
       failed if a pin opens by a whole link, or if the chain gains more than @ % of the energy of a fall through its
-      length, which joint coordinates can without a gap: their pins cannot part, and the motion further down compares them.)",
+      length, which joint coordinates can without a gap: their pins cannot part, and the motion further down compares them. Each engine is given these joints alone: a rope from the
+      anchor to the load beside them, which Box2D's manual suggests against stretching, is not tried.)",
       links, end_mass, Value(frames * frame, 2),
       swings < 1.01 ? std::string("a whole swing") : say("@ swings", Value(swings, 2)), ways, ways, ways + 1,
       100 * most_gained);

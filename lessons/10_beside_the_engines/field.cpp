@@ -209,7 +209,7 @@ std::string title_of(const std::vector<std::pair<std::string, engines::Beside>>&
        {those("ahead at equal time: ", ranked(Rank::ahead)), those("level at equal time: ", ranked(Rank::level)),
         those("quicker than any run of this course: ", quicker)})
     if (!part.empty()) title += (title.empty() ? "" : "; ") + part;
-  if (title.empty()) title = "at equal time, no engine tried here is ahead of this course";
+  if (title.empty()) title = "at equal time, no engine is ahead of this course with the settings tried";
   title = when + title;
   title.front() = static_cast<char>(std::toupper(title.front()));
   return title;
@@ -327,8 +327,9 @@ template <class M>
 Compared best_of(const Field<M>& field) {
   const int steps = field.kind == Kind::joints ? engines::joint_steps.back() : engines::contact_steps.back();
   return {std::isfinite(field.most_work)
-              ? say("At their best of up to @ iterations in up to @ steps a frame,", field.most_work, steps)
-              : say("At their best in up to @ steps a frame,", steps),
+              ? say("With the best of the settings tried, of up to @ iterations in up to @ steps a frame,",
+                    field.most_work, steps)
+              : say("With the best of the settings tried, in up to @ steps a frame,", steps),
           [](const Errors& one) { return one.spread(one.best_setting()); }};
 }
 
@@ -336,6 +337,7 @@ template <class M>
 std::string judged_by(const std::vector<Compared>& rows, Page& page, const Field<M>& field,
                       const std::vector<Errors>& all, Unit unit, const std::string& what) {
   if (all.size() < 2) return "";
+  const std::string of_these = all.size() < members(field.party).size() ? " of these" : "";
   std::string words;
   for (const auto& [name, spread_of] : rows) {
     const Spread ours_from = spread_of(all[0]);
@@ -370,7 +372,7 @@ std::string judged_by(const std::vector<Compared>& rows, Page& page, const Field
     else if (!std::isfinite(own_least))
       sentence = {.when = theirs >= INFINITY, .say = say("@ all fail.", name)};
     else if (level.empty())
-      sentence = {.when = theirs > ours, .say = say("@ this course has the least @.", name, what)};
+      sentence = {.when = theirs > ours, .say = say("@ this course has the least @@.", name, what, of_these)};
     else if (own <= ends)
       sentence = {.when = Quantity("the largest", std::max(own, worst_level)) <= ends,
                   .say = say("@ @ have at most @, where this comparison ends@.", name, listed(below),
@@ -382,9 +384,10 @@ std::string judged_by(const std::vector<Compared>& rows, Page& page, const Field
                   .say = say("@ whether this course has less @ than @ hangs on the last digits of the start.",
                              name, what, listed(level))};
     else
-      sentence = {.when = Quantity("the largest of those level", worst_level) <=
-                          Quantity("1.01 × ours", engines::equal_errors * own),
-                  .say = say("@ this course has the least @, level with @.", name, what, listed(level))};
+      sentence = {
+          .when = Quantity("the largest of those level", worst_level) <=
+                  Quantity("1.01 × ours", engines::equal_errors * own),
+          .say = say("@ this course has the least @@, level with @.", name, what, of_these, listed(level))};
     words += say("@@", words.empty() ? "" : " ", page.verdict({sentence}));
   }
   return words;

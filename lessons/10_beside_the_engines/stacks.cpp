@@ -173,7 +173,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   if (!alone()) {
     page.text(
         R"(How far the kicked stack of 30 leans at most, with the settings of step 1 of up to @ iterations a frame. A rigid column
-        would rock on its edge by v²H/3gw = @. Both rows, and what is near the best, are run
+        would rock on its edge by v²H/3gw = @; what leans less has lost energy on its way. Both rows, and what is near the best, are run
         from @ more starts, with each box up to 1 µm aside.)",
         most_of_contacts, in_millimetres(stack_kick * stack_kick * tallest / (3 * gravity)), ways);
     page.table(head_of_three_rows, three_rows<M>(field, leans, Unit::metres));
