@@ -224,17 +224,43 @@ double margin_of(const Errors& theirs, Unit unit, Kind kind) {
   return theirs.single && unit == Unit::metres && kind == Kind::joints ? float_margin : margin;
 }
 
+/// What each of these settings takes a frame. After one round only those are timed again that no other of their
+/// engine beats by far in both error and time: the rest are not drawn and decide nothing.
+template <class M>
+std::vector<engines::Seconds> seconds_of(const Timed<M>& timed, const std::vector<Contestant<M>>& contestants,
+                                         const std::vector<double>& errors) {
+  constexpr double by_far = 1.5;
+  auto all = engines::seconds_a_frame(timed.start, contestants, timed.scene, timed.frames, 1);
+  std::vector<Contestant<M>> again;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    bool beaten = false;
+    for (std::size_t j = 0; j < contestants.size(); ++j)
+      beaten = beaten || (contestants[j].name == contestants[i].name && errors[j] <= errors[i] &&
+                          by_far * all[j].least < all[i].least);
+    if (!beaten || contestants[i].setting.row == engines::Row::shipped)
+      again.push_back(contestants[i]), places.push_back(i);
+  }
+  const auto more = engines::seconds_a_frame(timed.start, again, timed.scene, timed.frames, rounds - 1);
+  for (std::size_t k = 0; k < more.size(); ++k) {
+    engines::Seconds& one = all[places[k]];
+    one = {std::min(one.least, more[k].least), std::max(one.most, more[k].most)};
+  }
+  return all;
+}
+
 }  // namespace
 
 template <class M>
 Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, const Timed<M>& timed,
                    const std::string& label, Unit unit) {
   std::vector<Contestant<M>> contestants;  // without what failed
+  std::vector<double> error;               // of each
   for (std::size_t i = 0; i < errors.size(); ++i)
     for (std::size_t j = 0; j < errors[i].by_setting.size(); ++j)
-      if (std::isfinite(errors[i].by_setting[j])) contestants.push_back(field.entrants[i].settings[j]);
-  const std::vector<engines::Seconds> seconds =
-      engines::seconds_a_frame(timed.start, contestants, timed.scene, timed.frames, rounds);
+      if (std::isfinite(errors[i].by_setting[j]))
+        contestants.push_back(field.entrants[i].settings[j]), error.push_back(errors[i].by_setting[j]);
+  const std::vector<engines::Seconds> seconds = seconds_of(timed, contestants, error);
   const std::string where = field.party == Party::webassembly ? " in WebAssembly" : "";
   Chart chart{.x = {.label = label + (unit == Unit::metres ? " (m)" : " (rad)"), .scale = Scale::logarithmic},
               .y = {.label = say("processor time@, first @ frames (µs a frame)", where, timed.frames),
@@ -243,10 +269,10 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
   std::size_t run = 0;
   for (const Errors& one : errors) {
     points.emplace_back();
-    for (const double error : one.by_setting) {
-      if (!std::isfinite(error)) continue;
+    for (const double own : one.by_setting) {
+      if (!std::isfinite(own)) continue;
       points.back().push_back(
-          {seconds[run], told(error),
+          {seconds[run], told(own),
            say("@ (slowest round @ µs)", contestants[run].words(), Value(1e6 * seconds[run].most, 3))});
       ++run;
     }
