@@ -370,11 +370,13 @@ std::string judged_by(const std::vector<Compared>& rows, Page& page, const Field
     // Ahead is who has less from all starts than this course has from any.
     const double own = told(ours_from.most), own_least = told(ours_from.least);
     double worst_ahead = 0, worst_level = 0, least = INFINITY, least_level = INFINITY, ends = margin;
+    bool varies = own > engines::equal_errors * own_least;  // by the start, in whom the sentence compares
     std::vector<std::string> ahead, level;
     for (std::size_t i = 1; i < all.size(); ++i) {
       const double finest = margin_of(all[i], unit, field.kind);
       const Spread theirs_from = spread_of(all[i]);
       const double error = told(theirs_from.most, finest), error_least = told(theirs_from.least, finest);
+      varies = varies || error > engines::equal_errors * error_least;
       least = std::min(least, error_least);
       if (engines::equal_errors * error < told(own_least, finest))
         ahead.push_back(all[i].name), worst_ahead = std::max(worst_ahead, error);
@@ -385,12 +387,13 @@ std::string judged_by(const std::vector<Compared>& rows, Page& page, const Field
     }
     std::vector<std::string> below{"this course"};
     below.insert(below.end(), level.begin(), level.end());
+    const std::string where = varies ? say(" from these @ starts", ways + 1) : "";
     const bool by_chance = own > engines::equal_errors * own_least || worst_level > engines::equal_errors * own;
     const Quantity ours("ours", own), ours_at_least("ours", own_least), theirs("the least of theirs", least);
     course::Judgement sentence;
     if (!ahead.empty() && std::isfinite(own_least))
       sentence = {.when = Quantity("the largest of theirs", worst_ahead) < ours_at_least,
-                  .say = say("@ this course has more @ than @.", name, what, listed(ahead))};
+                  .say = say("@ this course has more @ than @@.", name, what, listed(ahead), where)};
     else if (!ahead.empty())
       sentence = {.when = Quantity("the largest of theirs", worst_ahead) < INFINITY,
                   .say = say("@ this course fails, and @.", name,
@@ -398,11 +401,12 @@ std::string judged_by(const std::vector<Compared>& rows, Page& page, const Field
     else if (!std::isfinite(own_least))
       sentence = {.when = theirs >= INFINITY, .say = say("@ all fail.", name)};
     else if (level.empty())
-      sentence = {.when = theirs > ours, .say = say("@ this course has the least @@.", name, what, of_these)};
+      sentence = {.when = theirs > ours,
+                  .say = say("@ this course has the least @@@.", name, what, of_these, where)};
     else if (own <= ends)
       sentence = {.when = Quantity("the largest", std::max(own, worst_level)) <= ends,
-                  .say = say("@ @ have at most @, where this comparison ends@.", name, listed(below),
-                             unit == Unit::radians ? "10⁻⁶ rad" : say("@ µm", Value(1e6 * ends, 1)),
+                  .say = say("@ @ have at most @@, where this comparison ends@.", name, listed(below),
+                             unit == Unit::radians ? "10⁻⁶ rad" : say("@ µm", Value(1e6 * ends, 1)), where,
                              ends > margin ? " beside single precision" : "")};
     else if (by_chance)
       sentence = {.when = Quantity("the least of theirs", least_level) <

@@ -242,7 +242,7 @@ void stacks(const Setting& setting, Page& page) {
 
 void stacks_in_space(const Setting& setting, Page& page) {
   page.text(
-      R"(The same stacks in space, for the engines that know it: four contacts a face, two rows of friction for each,
+      R"(The same stacks in space, for the engines that know it: four contacts a face, friction along both its edges,
       and nothing that keeps a box in a plane.)");
   stacks_of<SpaceBody>(setting.boxes, "space_stack_clocked", page);
 }

@@ -243,7 +243,10 @@ void wall_in_webassembly_of(int base, const std::string& where, Page& page) {
                   moved, [=] {
                     return against_time(
                         field, moved,
-                        Timed<M>{scene, soon, {settling}, "undisturbed, from one start, by the time of ⅔ s, "},
+                        Timed<M>{scene,
+                                 soon,
+                                 {settling},
+                                 say("undisturbed, from one start, by the time of @ s, ", Value(soon * frame, 2))},
                         "moved sideways");
                   });
   page.text("How deep two boxes overlap at the end, which is partly each engine's intention:");
