@@ -277,26 +277,30 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
       ++run;
     }
   }
+  Curve shipped{.label = "as shipped", .style = CurveStyle::markers, .colour = fade(palette::ink, 0.5)};
   const std::vector<Engine> all = members(field.party);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto own =
         std::find_if(errors.begin(), errors.end(), [&](const Errors& e) { return e.name == all[i].name; });
     if (own == errors.end()) continue;
     Curve curve{.label = own->name, .style = CurveStyle::line_and_markers, .place = place_of(i, field.party)};
-    for (const Point& point : front(points[own - errors.begin()])) {
+    const std::vector<Point>& all_of_it = points[own - errors.begin()];
+    // A mark of its own would hide that of the engine.
+    const Point* shipped_setting = std::isfinite(own->shipped()) ? &all_of_it.front() : nullptr;
+    for (const Point& point : front(all_of_it)) {
+      const bool as_shipped = shipped_setting && point.words == shipped_setting->words;
       curve.x.push_back(point.error);
       curve.y.push_back(1e6 * point.seconds.least);
       curve.point_names.push_back(point.words);
+      curve.point_labels.emplace_back(as_shipped ? "as shipped" : "");
+      if (as_shipped) shipped_setting = nullptr;
     }
     if (curve.x.empty()) curve.label += " (failed)";
     chart.curves.push_back(std::move(curve));
-  }
-  Curve shipped{.label = "as shipped", .style = CurveStyle::markers, .colour = fade(palette::ink, 0.5)};
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (!std::isfinite(errors[i].shipped())) continue;
-    shipped.x.push_back(points[i].front().error);
-    shipped.y.push_back(1e6 * points[i].front().seconds.least);
-    shipped.point_names.push_back(errors[i].name);
+    if (!shipped_setting) continue;
+    shipped.x.push_back(shipped_setting->error);
+    shipped.y.push_back(1e6 * shipped_setting->seconds.least);
+    shipped.point_names.push_back(own->name);
   }
   if (!shipped.x.empty()) chart.curves.push_back(std::move(shipped));
   std::vector<std::pair<std::string, engines::Beside>> beside;
