@@ -33,7 +33,7 @@ template <class M>
 long long project(const Projection& cure, Scene<M>& scene, const ContactManager<M>& contacts) {
   long long solved = 0;
   Bodies<M>& bodies = scene.state();
-  for (int sweep = 0; sweep < cure.sweeps; ++sweep) {
+  for (int sweep = 0; sweep < cure.sweeps && (sweep == 0 || solved > 0); ++sweep)
     for_each_constraint(scene, contacts, [&](const ConstraintStore<M>& store, const auto& entry) {
       if (store.position_rows == 0) return;
       for_type<M>(store.block_type, [&](auto type) {
@@ -45,8 +45,6 @@ long long project(const Projection& cure, Scene<M>& scene, const ContactManager<
       });
       solved += store.position_rows;
     });
-    if (solved == 0) break;  // no constraint has rows on positions
-  }
   return solved;
 }
 
