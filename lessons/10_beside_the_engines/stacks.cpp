@@ -108,7 +108,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   for (const Entrant<M>& entrant : field.entrants)
     for (const std::size_t row : {0, 1}) {
       rows.push_back({say("@, @", entrant.name, row_names[row])});
-      double sunk = 0;
+      std::string sunk;
       for (const Try& one : tries) {
         const Standing standing = stand(entrant.settings[row], one.scene, one.kick);
         std::vector<Standing> all{standing};
@@ -116,7 +116,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
           all.push_back(stand(entrant.settings[row], nudged(one.scene, way), one.kick));
         rows.back().push_back(fate_of(all));
         undecided += fallen_of(all) > 0 && fallen_of(all) < std::ssize(all);
-        sunk = standing.sunk;
+        sunk = standing.fell > 0 ? in_millimetres(std::max(standing.sunk, 0.0)) : "–";
         if (std::ranges::any_of(all, &Standing::goes_on))
           going_on.push_back(say("@ (@, @)", entrant.name, row_names[row], one.name));
         if (entrant.name == ours_name)
@@ -124,7 +124,7 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
         else
           ++theirs, fallen += fallen_of(all) > 0;
       }
-      rows.back().push_back(in_millimetres(std::max(sunk, 0.0)));
+      rows.back().push_back(sunk);
     }
   std::vector<std::string> head{""};
   for (const Try& one : tries) head.push_back(one.name);
@@ -242,7 +242,7 @@ void stacks(const Setting& setting, Page& page) {
 
 void stacks_in_space(const Setting& setting, Page& page) {
   page.text(
-      R"(The same stacks in space, for the engines that know it: four contacts a face, friction along both its edges,
+      R"(The same stacks in space, for the engines that know it: four contacts a face, friction in its plane,
       and nothing that keeps a box in a plane.)");
   stacks_of<SpaceBody>(setting.boxes, "space_stack_clocked", page);
 }

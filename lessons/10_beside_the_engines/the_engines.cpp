@@ -143,7 +143,7 @@ void the_engines(const Setting& setting, Page& page) {
         R"(*Best of the settings tried*: besides these two each engine, this course too, is tried with @ steps a frame, with contacts @. An
         iterative one shares out up to @ iterations a frame among them (a pendulum @, in space @; contacts @, the
         pyramid in space @), and one that takes a sweep a substep (Box2D 3, Box3D) as many substeps in one step. Not counted are the rounds of this
-        course's Newton's method, though its time is. For joints this course also tries lesson 9's RK4 and RATTLE, which
+        course's Newton's method, position sweeps and relaxing sweeps, though their time is. For joints this course also tries lesson 9's RK4 and RATTLE, which
         know no contacts, and Bullet its direct solver. Each point of a chart is one setting, named in its data, timed on
         this machine; a table names the first of equals. A float has 24 bits; at 50 m the last of them is 4 µm, which is
         about as far as an engine in single precision can close a gap there. So the comparison of chains with one ends at 4 µm,
