@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
 
   std::vector<std::string> known{
       "Two engines can be compared only in the same scene, by the same measure and over the same time, each with "
-      "its own settings tuned. Another time may rank them otherwise.",
+      "its own settings tuned. Another time or place may rank them otherwise.",
       "Engines that share a scheme share the error of a single joint that is solved to the end, whoever wrote "
       "them."};
   if (alone()) {

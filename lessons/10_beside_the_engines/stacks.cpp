@@ -213,7 +213,7 @@ void stacks(const Setting& setting, Page& page) {
   const int boxes = setting.boxes;
   page.text(
       R"(A stack stands only if its contacts carry its weight *and* its bending, which takes more warm sweeps the
-      higher it is (lesson 5). Here @ unit boxes: one with each box @ cm off to alternate sides, one
+      higher it is (lesson 5). Here @ unit boxes at x = 0: one with each box @ cm off to alternate sides, one
       straight. Each engine has @ s to settle, with whatever overlap it keeps. From there the
       straight ones are kicked, by @ m/s at the top and in proportion to the height below, and all are watched for @ s. *Lean* is how far the
       top moves sideways from that rest position at most; *sag*, how far down. A stack

@@ -154,8 +154,9 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
         the last digits of the start. So both rows, and what is near the best, are run from @ more starts, with each box up to 1 µm aside:)",
         most, ways);
     page.table(head_of_three_rows, three_rows<M>(field, moved, Unit::metres));
-    page.text("@ That is of @ s after @ s of settling; other times may rank them otherwise.",
-              judged(page, field, moved, Unit::metres), wall_frames * frame, settling * frame);
+    page.text(
+        "@ That is of @ s after @ s of settling, about x = 0; other times and places may rank them otherwise.",
+        judged(page, field, moved, Unit::metres), wall_frames * frame, settling * frame);
     if (most < most_of_contacts && moved.size() > 1) tell_beyond_the_limit(page, field, scene, moved);
     const double passes = passes_a_frame(scene, 0, wall_frames);
     const Quantity kicked("passes after the kick", passes_a_frame(scene, wall_kick, wall_frames)),
@@ -233,7 +234,7 @@ void wall_in_webassembly_of(int base, const std::string& where, Page& page) {
   const auto moved = with_spreads(field, scene, still), overlap = errors_of(still, &Wall::overlap);
   page.text(
       R"(A pyramid as in step 6, of @ boxes, @: the largest sideways displacement of a box from rest within @ s, from
-      several starts as there. Of more boxes MuJoCo takes minutes. Its advice is against slip, and PhysX's for joints;
+      several starts and about x = 0 as there. Of more boxes MuJoCo takes minutes. Its advice is against slip, and PhysX's for joints;
       for piles they give none.)",
       base * (base + 1) / 2, where, wall_frames * frame);
   tell_three<M>(page, field, moved, Unit::metres);
