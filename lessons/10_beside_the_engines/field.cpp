@@ -374,7 +374,8 @@ std::string judged_by(const std::vector<Compared>& rows, Page& page, const Field
     // Ahead is who has less from all starts than this course has from any.
     const double own = told(ours_from.most), own_least = told(ours_from.least);
     double worst_ahead = 0, worst_level = 0, least = INFINITY, least_level = INFINITY, ends = margin;
-    bool varies = own > engines::equal_errors * own_least;  // by the start, in whom the sentence compares
+    const bool own_varies = own > engines::equal_errors * own_least;  // by the start
+    bool varies = own_varies;                                         // somebody's
     std::vector<std::string> ahead, level;
     for (std::size_t i = 1; i < all.size(); ++i) {
       const double finest = margin_of(all[i], unit, field.kind);
@@ -392,7 +393,7 @@ std::string judged_by(const std::vector<Compared>& rows, Page& page, const Field
     std::vector<std::string> below{"this course"};
     below.insert(below.end(), level.begin(), level.end());
     const std::string where = varies ? say(" from these @ starts", ways + 1) : "";
-    const bool by_chance = own > engines::equal_errors * own_least || worst_level > engines::equal_errors * own;
+    const bool by_chance = own_varies || worst_level > engines::equal_errors * own;
     const Quantity ours("ours", own), ours_at_least("ours", own_least), theirs("the least of theirs", least);
     course::Judgement sentence;
     if (!ahead.empty() && std::isfinite(own_least))

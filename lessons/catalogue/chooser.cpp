@@ -170,6 +170,7 @@ class Choosing {
   Counted counted(Contest& contest, const Point& point);
   bool keeps_added(const Contest& contest, const Point& point);
   void add(Contest& contest, int missed);
+  std::optional<Verification> kept_from_all(Contest& contest, const Point& point);
   std::vector<Candidate> verified(Contest& contest, std::vector<Candidate>& found, std::size_t wanted,
                                   double until, double until_first);
   std::vector<Candidate> verified_with_dearer();
@@ -373,6 +374,15 @@ void Choosing::add(Contest& contest, int missed) {
   std::ranges::replace(contest.verified_from, missed, contest.next++);
 }
 
+/// The verification of what keeps the contest's wish from all starts; none of what misses it, whose start is
+/// added.
+std::optional<Verification> Choosing::kept_from_all(Contest& contest, const Point& point) {
+  const auto [verification, missed] = counted(contest, point);
+  if (missed) add(contest, *missed);
+  if (missed || !keeps_added(contest, point)) return {};
+  return verification;
+}
+
 /// Of candidates that reach the wish the cheapest that keep it from all starts over the whole time, by their
 /// costs: as many as are wanted, and as are paid for until `until` instructions are spent, the first one until
 /// `until_first`. One that does not is looked for again, and so takes its place further back. `choice_.verified`
@@ -391,14 +401,12 @@ std::vector<Candidate> Choosing::verified(Contest& contest, std::vector<Candidat
       choice_.at_its_bound = choice_.at_its_bound || kept.empty();
       break;
     }
-    const auto [verification, missed] = counted(contest, next->point);
-    if (!missed && keeps_added(contest, next->point)) {
-      if (kept.empty()) choice_.verified = verification;
+    if (const auto verification = kept_from_all(contest, next->point)) {
+      if (kept.empty()) choice_.verified = *verification;
       kept.push_back(*next);
       next->reached = false;
       continue;
     }
-    if (missed) add(contest, *missed);
     if (work() > end - most_of_one_) misses = std::max(misses, most_searches);  // no time for another search
     *next = found_again(contest, *next, ++misses, work() + most_of_one_);
   }
@@ -448,12 +456,10 @@ std::vector<Candidate> Choosing::verified_with_shorter_steps() {
       starts_ = count_of_starts(problem_, wish_, one->point.cost, search_);
       if (work() + starts_ * whole_work(problem_, one->point.cost) > search_.most) break;
       contest_.verified_from = first_numbers(starts_), contest_.next = std::max(contest_.next, starts_);
-      const auto [verification, missed] = counted(contest_, one->point);
-      if (!missed && keeps_added(contest_, one->point)) {
-        choice_.verified = verification;
+      if (const auto verification = kept_from_all(contest_, one->point)) {
+        choice_.verified = *verification;
         return {*one};
       }
-      if (missed) add(contest_, *missed);
     }
   return {};
 }
@@ -551,11 +557,8 @@ std::optional<std::pair<Candidate, Verification>> Choosing::drawn(Contest& conte
                                          until - work(), choice_.spent, search_.side_by_side);
     if (!now.reached) continue;
     near.push_back(now.point);
-    const auto [verification, missed] = counted(contest, now.point);
-    if (missed)
-      add(contest, *missed);
-    else if (keeps_added(contest, now.point))
-      best = {now, verification}, bound = now.point.cost;
+    if (const auto verification = kept_from_all(contest, now.point))
+      best = {now, *verification}, bound = now.point.cost;
   }
   return best;
 }
@@ -592,12 +595,10 @@ void Choosing::certify() {
     contest_.verified_from.assign(certain + 1, 0);
     std::iota(contest_.verified_from.begin() + 1, contest_.verified_from.end(), contest_.next);
     contest_.next += certain;
-    const auto [verification, missed] = counted(contest_, choice_.best.point);
-    if (!missed && keeps_added(contest_, choice_.best.point)) {
-      choice_.verified = verification;
+    if (const auto verification = kept_from_all(contest_, choice_.best.point)) {
+      choice_.verified = *verification;
       return;
     }
-    if (missed) add(contest_, *missed);
     Candidate next;
     if (tries < most_tries) next = found_again(contest_, choice_.best, tries, work() + most_of_one_);
     const auto other = std::ranges::find(choice_.runners_up, true, &Candidate::reached);
